@@ -1,0 +1,54 @@
+// A recording as it came: two streams, each on its own clock, nothing mended.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace searig::acquisition {
+
+/// One named channel, SI units with the unit in the name ("deflection_rad").
+struct Channel {
+  std::string name;
+  std::vector<double> values;
+};
+
+/// What happened to the rows of a stream between the device and here.
+struct StreamCounts {
+  std::size_t received = 0;      ///< rows kept
+  std::size_t lost = 0;          ///< gaps in seq, or in device time where there is no seq
+  std::size_t doubled = 0;       ///< rows seen again (same seq or same device time)
+  std::size_t garbled = 0;       ///< rows that could not be read or hold no finite time
+  std::size_t out_of_order = 0;  ///< rows older than their predecessor
+};
+
+/// One stream. t_s increases strictly within each run between restarts.
+struct Stream {
+  std::string name;                  ///< "module" or "loadcell"
+  std::filesystem::path file;        ///< where it was read from
+  std::vector<double> t_s;           ///< device clock, unwrapped
+  std::vector<double> host_s;        ///< arrival at the host, or empty
+  std::vector<Channel> channels;     ///< all of the size of t_s
+  std::vector<std::size_t> restarts; ///< rows at which the device clock began anew
+  StreamCounts counts;
+
+  /// The values of a channel, or an empty vector where the stream has no such channel.
+  const std::vector<double>& channel(std::string_view name) const;
+};
+
+struct Recording {
+  std::string name;  ///< folder or file name without its path
+  std::filesystem::path path;
+  Stream module;
+  Stream loadcell;
+  double gear_ratio = 1.0;
+  double lever_arm_m = 1.0;
+  bool one_clock = false;  ///< both streams already share a clock
+};
+
+/// Reads a recording folder (recording.toml, see the contract). Throws InputError.
+Recording read_recording(const std::filesystem::path& folder);
+
+}  // namespace searig::acquisition

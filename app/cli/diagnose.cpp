@@ -1,0 +1,7 @@
+#include "app/cli/commands.h"
+
+namespace searig::app {
+
+void add_diagnose(CLI::App&) {}
+
+}  // namespace searig::app

@@ -1,0 +1,37 @@
+// The estimator's input: one experiment, all times already on the module's clock.
+#pragma once
+
+#include <vector>
+
+namespace searig::estimator {
+
+/// Telemetry of the actuator module. All vectors have the size of t_s, or are empty where the
+/// recording has no such channel. Times increase strictly; the spacing need not be even.
+struct ModuleSignals {
+  std::vector<double> t_s;                    ///< module clock
+  std::vector<double> deflection_rad;         ///< theta = q_i - q_o, always present with a spring
+  std::vector<double> input_angle_rad;        ///< q_i: end of the gear train, before the spring
+  std::vector<double> output_angle_rad;       ///< q_o: behind the spring, where the lever is
+  std::vector<double> input_velocity_rad_s;   ///< as the module reports it
+  std::vector<double> current_a;              ///< motor current I
+  std::vector<double> motor_angle_rad;        ///< before the gear train
+  std::vector<double> commanded_angle_rad;    ///< set point of the position loop
+  std::vector<double> winding_temperature_c;  ///< motor winding
+  std::vector<double> spring_temperature_c;   ///< spring element
+};
+
+/// Ground truth at its own sample times.
+struct LoadcellSignals {
+  std::vector<double> t_s;        ///< load-cell samples, mapped to the module clock
+  std::vector<double> torque_nm;  ///< force times lever arm; positive where the spring torque is
+};
+
+/// One recording as the estimator sees it.
+struct Signals {
+  ModuleSignals module;
+  LoadcellSignals loadcell;
+  double clock_ci95_s = 0.0;  ///< half width of the 95 % interval of the load-cell time mapping
+  double gear_ratio = 1.0;    ///< motor turns per turn of q_i
+};
+
+}  // namespace searig::estimator
