@@ -1,0 +1,26 @@
+// What a model says the torques were, given the measured angles, currents and temperatures.
+#pragma once
+
+#include <vector>
+
+#include "estimator/model/model.h"
+#include "estimator/signals.h"
+
+namespace searig::estimator {
+
+/// Torques in N*m at the module's own samples; empty where the recording lacks the channels.
+struct Torques {
+  std::vector<double> spring_nm;    ///< T_spring = k*theta + the other spring.* terms
+  std::vector<double> drive_nm;     ///< T_drive = efficiency*(torque_constant*I - j*a) - friction
+  std::vector<double> rig_nm;       ///< what the rig's terms take away between spring and load cell
+  std::vector<double> loadcell_nm;  ///< (T_spring - rig) seen through the load cell's delay and lag
+};
+
+Torques predict(const Model& model, const ModuleSignals& module);
+
+/// A signal given at module times (t, x), read at other times by linear interpolation; outside the
+/// recording the nearest sample holds.
+std::vector<double> sample_at(const std::vector<double>& t, const std::vector<double>& x,
+                              const std::vector<double>& at);
+
+}  // namespace searig::estimator
