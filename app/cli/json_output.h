@@ -1,0 +1,13 @@
+// The answer for machines, written the same way by every command.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace searig::app {
+
+/// Writes the answer to a file, or to stdout where path is "-". Numbers keep every digit; what is
+/// not finite becomes null. Throws std::runtime_error where the file cannot be written.
+void write_json(const nlohmann::json& answer, const std::string& path);
+
+}  // namespace searig::app
