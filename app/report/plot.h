@@ -65,7 +65,7 @@ struct Plot {
 };
 
 /// A one-dimensional map: cells of a channel, each coloured by a signed number such as a
-/// standardised residual. White is nothing, blue is below, vermilion is above.
+/// standardised residual. Grey is nothing, blue is below, vermilion is above.
 struct CellMap {
   struct Row {
     std::string channel;         ///< with the unit: "deflection (rad)"

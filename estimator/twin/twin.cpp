@@ -1,0 +1,50 @@
+#include "estimator/twin/twin.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace searig::estimator::twin {
+namespace {
+
+constexpr int steps_per_control = 10;  // of 0.1 ms: a twentieth of the lever's fastest swing
+
+}  // namespace
+
+Twin::Twin(const Parameters& parameters, std::uint64_t seed)
+    : parameters_(parameters),
+      motion_(seed),
+      plant_(parameters),
+      module_sensors_(parameters, seed + 100),
+      loadcell_sensors_(parameters, seed + 200) {}
+
+void Twin::advance_to(double t_s) {
+  const double dt = parameters_.controller.period_s / steps_per_control;
+  const auto last = static_cast<std::uint64_t>(std::max(0.0, std::floor(t_s / dt)));
+  for (; steps_ < last; ++steps_) {
+    if (steps_ % steps_per_control == 0) control();
+    plant_.step(current_a_, motion_.hand_angle_rad(static_cast<double>(steps_) * dt), dt);
+  }
+}
+
+// I = Kp*(commanded - train) - Kd*w, held for one period and limited as the amplifier limits it.
+void Twin::control() {
+  const auto& controller = parameters_.controller;
+  const double t_s = static_cast<double>(steps_ / steps_per_control) * controller.period_s;
+  commanded_angle_rad_ = motion_.commanded_angle_rad(t_s);
+  const auto& state = plant_.state();
+  const double wanted =
+      controller.proportional_a_per_rad * (commanded_angle_rad_ - state.train_angle_rad) -
+      controller.derivative_a_s_per_rad * state.train_velocity_rad_s;
+  const double limit = parameters_.drive.current_limit_a;
+  current_a_ = std::clamp(wanted, -limit, limit);
+}
+
+ModuleReading Twin::read_module() {
+  return module_sensors_.module(plant_.state(), current_a_, commanded_angle_rad_);
+}
+
+LoadcellReading Twin::read_loadcell() {
+  return loadcell_sensors_.loadcell(plant_.state());
+}
+
+}  // namespace searig::estimator::twin
