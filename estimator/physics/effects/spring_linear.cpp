@@ -1,0 +1,36 @@
+#include "estimator/physics/single_amplitude.h"
+
+namespace searig::estimator {
+namespace {
+
+class SpringLinear final : public SingleAmplitude {
+ public:
+  SpringLinear()
+      : SingleAmplitude({.name = "spring.linear",
+                         .path = Path::spring,
+                         .title = "the spring itself",
+                         .equation = "+ k*theta",
+                         .looks_like = "torque in proportion to the deflection",
+                         .confused_with = "",
+                         .separated_by = "",
+                         .source = "paper, equation (1) (Hooke)"},
+                        {{"k_nm_per_rad", 0, 1e9, "torsional stiffness"}}) {}
+
+  bool applies(const Motion& m) const override { return m.has_spring(); }
+
+  bool physical(const Eigen::VectorXd& amplitude) const override { return amplitude[0] > 0; }
+
+ protected:
+  Eigen::VectorXd column(const Motion& m, std::span<const double>) const override {
+    return as_array(m.theta).matrix();
+  }
+};
+
+}  // namespace
+
+const Effect& spring_linear() {
+  static const SpringLinear effect;
+  return effect;
+}
+
+}  // namespace searig::estimator

@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <cmath>
+
+#include "estimator/physics/single_amplitude.h"
+
+namespace searig::estimator {
+namespace {
+
+/// What "loading history" means.
+enum History { work_done = 0, largest_deflection = 1 };
+
+class SpringMullins final : public SingleAmplitude {
+ public:
+  SpringMullins()
+      : SingleAmplitude(
+            {.name = "spring.mullins",
+             .path = Path::spring,
+             .title = "the rubber softens with the loading it has seen",
+             .equation = "k*theta*(1 - share*(1 - exp(-history/scale)))",
+             .looks_like = "the slope falls over the recording, fast at first, and stays low",
+             .confused_with = "spring.temperature, spring.relaxation with a long time",
+             .separated_by = "the same cycles again after a rest at constant temperature",
+             .source = "paper, Fig. 3; R. Ogden, D. Roxburgh, Proc. R. Soc. A 455, 1999"},
+            {{"share", 0, 1, "largest loss of stiffness"},
+             {"scale", 1e-9, 1e9, "history that brings 63 % of it: N*m*rad, or rad"},
+             {"history", 0, 1, "0: work done while loading; 1: largest deflection so far", 0.0}},
+            RelativeTo::stiffness) {}
+
+  bool applies(const Motion& m) const override { return m.has_spring() && !m.spring_nm.empty(); }
+
+  std::vector<std::vector<double>> shape_grid(const Motion& m) const override {
+    std::vector<std::vector<double>> out;
+    for (const auto kind : {work_done, largest_deflection}) {
+      const double total = history(m, kind).tail(1)[0];
+      if (!(total > 0)) continue;
+      for (const auto& scale : logarithmic_grid(0.02 * total, 1.5 * total, 6))
+        out.push_back({scale[0], double(kind)});
+    }
+    return out;
+  }
+
+  bool physical(const Eigen::VectorXd& amplitude) const override { return amplitude[0] > 0; }
+
+ protected:
+  Eigen::VectorXd column(const Motion& m, std::span<const double> shape) const override {
+    const Eigen::ArrayXd seen = history(m, shape[1] < 0.5 ? work_done : largest_deflection);
+    return (-as_array(m.theta) * (1.0 - (-seen / shape[0]).exp())).matrix();
+  }
+
+ private:
+  static Eigen::ArrayXd history(const Motion& m, History kind) {
+    Eigen::ArrayXd out(Eigen::Index(m.size()));
+    double sum = 0.0, largest = 0.0;
+    for (std::size_t i = 0; i < m.size(); ++i) {
+      if (i > 0) sum += std::max(0.0, m.spring_nm[i] * (m.theta[i] - m.theta[i - 1]));
+      largest = std::max(largest, std::abs(m.theta[i]));
+      out[Eigen::Index(i)] = kind == work_done ? sum : largest;
+    }
+    return out;
+  }
+};
+
+}  // namespace
+
+const Effect& spring_mullins() {
+  static const SpringMullins effect;
+  return effect;
+}
+
+}  // namespace searig::estimator
