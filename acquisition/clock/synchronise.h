@@ -2,12 +2,25 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "acquisition/recording/recording.h"
 
 namespace searig::acquisition {
 
+/// Rows [first, last) of a stream between two restarts of its device:
+/// module time = rate * device time + offset_s.
+struct RunMap {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  double rate = 1.0;
+  double offset_s = 0.0;
+};
+
 /// module time = rate * loadcell time + offset_s
+///
+/// Where a device restarted, this is the map between the two longest runs, and module time is the
+/// clock of the module's longest run; the other runs have maps of their own, through the host.
 struct ClockMap {
   double rate = 1.0;
   double offset_s = 0.0;
@@ -15,10 +28,22 @@ struct ClockMap {
   bool trusted = true;
   std::string why;  ///< one sentence: what the verdict rests on
 
+  std::vector<RunMap> module_runs;    ///< runs that can be placed on the module's clock
+  std::vector<RunMap> loadcell_runs;  ///< without host stamps only one pair of runs can
+
   double to_module(double loadcell_s) const { return rate * loadcell_s + offset_s; }
 };
 
-/// Maps the load cell's clock to the module's through the host's arrival stamps.
+/// Maps the load cell's clock to the module's through the host's arrival stamps: each device's
+/// delay line (clock/host_clock.h), then one device through the host to the other.
+///
+/// The fixed part of a one-way latency cannot be seen. Undeclared, it is taken to lie between 0 and
+/// 4 ms in each stream, so that it may hide up to 4 ms either way; the interval includes it.
+/// A map that cannot be trusted is still given, with the reason. Two streams on one clock, or
+/// without host stamps in both, map onto each other as they are.
 ClockMap synchronise(const Recording& recording);
+
+/// A stream's rows on the module's clock, NaN where a row's run could not be placed.
+std::vector<double> on_module_clock(const Stream& stream, const std::vector<RunMap>& runs);
 
 }  // namespace searig::acquisition

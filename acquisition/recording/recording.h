@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,15 +25,25 @@ struct StreamCounts {
   std::size_t out_of_order = 0;  ///< rows older than their predecessor
 };
 
+/// How long a row takes from device to host at the least, s, and how well that is known.
+struct HostLatency {
+  double latency_s = 0.0;
+  double ci95_s = 0.0;
+};
+
 /// One stream. t_s increases strictly within each run between restarts.
 struct Stream {
-  std::string name;                  ///< "module" or "loadcell"
-  std::filesystem::path file;        ///< where it was read from
-  std::vector<double> t_s;           ///< device clock, unwrapped
-  std::vector<double> host_s;        ///< arrival at the host, or empty
-  std::vector<Channel> channels;     ///< all of the size of t_s
-  std::vector<std::size_t> restarts; ///< rows at which the device clock began anew
+  std::string name;                   ///< "module" or "loadcell"
+  std::filesystem::path file;         ///< where it was read from
+  std::vector<double> t_s;            ///< device clock, unwrapped
+  std::vector<double> host_s;         ///< arrival at the host, or empty
+  std::vector<Channel> channels;      ///< all of the size of t_s
+  std::vector<std::size_t> restarts;  ///< rows at which the device clock began anew
   StreamCounts counts;
+
+  /// The fixed part of the one-way latency from device to host, where recording.toml declares it
+  /// (host_latency_s, host_latency_ci95_s). No arrival stamp can show it.
+  std::optional<HostLatency> host_latency;
 
   /// The values of a channel, or an empty vector where the stream has no such channel.
   const std::vector<double>& channel(std::string_view name) const;
@@ -48,7 +59,10 @@ struct Recording {
   bool one_clock = false;  ///< both streams already share a clock
 };
 
-/// Reads a recording folder (recording.toml, see the contract). Throws InputError.
+/// Reads a recording folder, or the recording.toml in it (see the contract and, for mappings of
+/// other CSV files, recording/mapping.h). Damaged rows are counted; what is damage and what is an
+/// unusable file says recording/csv.h for the rows and recording/stream_reader.h for the clock.
+/// Throws InputError: one sentence with file, line and column.
 Recording read_recording(const std::filesystem::path& folder);
 
 }  // namespace searig::acquisition

@@ -1,0 +1,82 @@
+#include "acquisition/clock/host_clock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace searig::acquisition {
+namespace {
+
+std::vector<double> delays(std::span<const double> t_s, std::span<const double> host_s) {
+  std::vector<double> delay(t_s.size());
+  for (std::size_t i = 0; i < t_s.size(); ++i) delay[i] = host_s[i] - t_s[i];
+  return delay;
+}
+
+double quantile(std::vector<double>& values, double share) {
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+/// Fills in how far the arrivals lie above the line.
+HostLine judged(const Line& line, std::span<const double> t_s, std::span<const double> delay) {
+  std::vector<double> above(t_s.size());
+  for (std::size_t i = 0; i < t_s.size(); ++i) above[i] = delay[i] - line(t_s[i]);
+  HostLine fit;
+  fit.delay = line;
+  fit.seconds = t_s.back() - t_s.front();
+  fit.rows = t_s.size();
+  fit.median_s = quantile(above, 0.5);
+  fit.lowest_percent_s = quantile(above, 0.01);
+  return fit;
+}
+
+}  // namespace
+
+std::vector<Run> runs_of(const Stream& stream) {
+  std::vector<Run> runs;
+  std::size_t first = 0;
+  for (const std::size_t restart : stream.restarts) {
+    runs.push_back({first, restart});
+    first = restart;
+  }
+  runs.push_back({first, stream.t_s.size()});
+  return runs;
+}
+
+std::size_t longest_run(const Stream& stream) {
+  const std::vector<Run> runs = runs_of(stream);
+  const auto seconds = [&](const Run& run) {
+    return stream.t_s[run.last - 1] - stream.t_s[run.first];
+  };
+  return static_cast<std::size_t>(
+      std::max_element(runs.begin(), runs.end(),
+                       [&](const Run& a, const Run& b) { return seconds(a) < seconds(b); }) -
+      runs.begin());
+}
+
+double HostLine::ci95_s() const {
+  // Exponential latencies above a floor lie median/ln 2/rows apart near it; the line touches two
+  // of them, and its middle lies a few such spacings too high.
+  return halves_apart_s + 6.0 * median_s / static_cast<double>(rows);
+}
+
+HostLine fit_host_line(std::span<const double> t_s, std::span<const double> host_s) {
+  const std::vector<double> delay = delays(t_s, host_s);
+  HostLine fit = judged(line_under(t_s, delay), t_s, delay);
+  const std::size_t half = t_s.size() / 2;
+  if (half < 2) return fit;
+  const std::span<const double> all(delay);
+  const Line early = line_under(t_s.first(half), all.first(half));
+  const Line late = line_under(t_s.subspan(half), all.subspan(half));
+  fit.halves_apart_s = std::abs(early(fit.delay.at) - late(fit.delay.at));
+  return fit;
+}
+
+HostLine fit_host_line(std::span<const double> t_s, std::span<const double> host_s, double slope) {
+  const std::vector<double> delay = delays(t_s, host_s);
+  return judged(line_under(t_s, delay, slope, 0.5 * (t_s.front() + t_s.back())), t_s, delay);
+}
+
+}  // namespace searig::acquisition

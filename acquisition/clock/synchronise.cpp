@@ -1,0 +1,184 @@
+#include "acquisition/clock/synchronise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <span>
+
+#include "acquisition/clock/host_clock.h"
+
+namespace searig::acquisition {
+namespace {
+
+constexpr double kHiddenLatency = 0.004;  // s, the most an undeclared fixed latency is taken to be
+constexpr double kShort = 5.0;            // s, below which a rate cannot be told from latency
+constexpr std::size_t kFew = 50;          // rows
+constexpr double kRateError = 0.01;       // an Arduino's resonator was seen at 0.002
+constexpr double kTrustedInterval = 0.010;  // s, the widest interval that is still of use
+
+std::string printed(const char* format, double a, double b = 0.0) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, a, b);
+  return text;
+}
+
+/// The host lines of all runs of a stream; short runs borrow the rate of the longest.
+std::vector<HostLine> host_lines(const Stream& stream) {
+  const std::vector<Run> runs = runs_of(stream);
+  const std::size_t longest = longest_run(stream);
+  const auto part = [&](const std::vector<double>& values, std::size_t run) {
+    return std::span(values).subspan(runs[run].first, runs[run].size());
+  };
+  const HostLine main = fit_host_line(part(stream.t_s, longest), part(stream.host_s, longest));
+  std::vector<HostLine> lines;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    const auto t = part(stream.t_s, run), host = part(stream.host_s, run);
+    const bool short_run = t.size() < kFew || t.back() - t.front() < 2.0 * kShort;
+    lines.push_back(run == longest ? main
+                    : short_run    ? fit_host_line(t, host, main.delay.slope)
+                                   : fit_host_line(t, host));
+  }
+  return lines;
+}
+
+/// device time -> host time of the event -> module time, as one line over a run.
+RunMap through_host(const Run& run, const HostLine& device, double device_latency,
+                    const HostLine& module, double module_latency) {
+  const double at = device.delay.at;
+  const double host = device.host(at) - device_latency;
+  const double origin = module.delay.at;
+  const double module_s = origin + (host - (module.host(origin) - module_latency)) / module.rate();
+  const double rate = device.rate() / module.rate();
+  return {run.first, run.last, rate, module_s - rate * at};
+}
+
+/// What is known of the two fixed latencies, and how far their difference may be off.
+struct Latencies {
+  double module_s = 0.0;
+  double loadcell_s = 0.0;
+  double ci95_s = kHiddenLatency;
+};
+
+Latencies latencies(const Recording& recording) {
+  const auto& module = recording.module.host_latency;
+  const auto& loadcell = recording.loadcell.host_latency;
+  if (!module && !loadcell) return {};  // the same for both is the best guess there is
+  const HostLatency unknown{0.5 * kHiddenLatency, 0.5 * kHiddenLatency};
+  const HostLatency m = module.value_or(unknown), l = loadcell.value_or(unknown);
+  return {m.latency_s, l.latency_s, std::hypot(m.ci95_s, l.ci95_s)};
+}
+
+std::size_t steps_back(const std::vector<double>& host_s) {
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < host_s.size(); ++i) count += host_s[i] < host_s[i - 1];
+  return count;
+}
+
+/// Why this stream's line cannot be trusted; empty where it can.
+std::string doubt(const Stream& stream, const HostLine& line) {
+  if (line.rows < kFew)
+    return "the " + stream.name + printed(" stream has only %.0f rows", double(line.rows));
+  if (line.seconds < kShort)
+    return "the " + stream.name + printed(" stream lasts only %.1f s", line.seconds);
+  if (std::abs(line.delay.slope) > kRateError)
+    return "the " + stream.name +
+           printed(" clock would be wrong by %.0f ppm, more than any clock is",
+                   1e6 * line.delay.slope);
+  if (50 * steps_back(stream.host_s) > stream.host_s.size())
+    return "the host's clock steps back between rows of the " + stream.name + " stream";
+  if (line.lowest_percent_s > 0.001 && line.lowest_percent_s > 0.6 * line.median_s)
+    return "a few rows of the " + stream.name +
+           printed(" stream arrived %.1f ms before all others can, so the host's clock was set",
+                   1e3 * line.lowest_percent_s);
+  if (line.ci95_s() > kTrustedInterval)
+    return "the halves of the " + stream.name +
+           printed(" stream disagree by %.1f ms", 1e3 * line.halves_apart_s);
+  return {};
+}
+
+bool overlap(const Stream& a, const Stream& b) {
+  const auto [a_low, a_high] = std::minmax_element(a.host_s.begin(), a.host_s.end());
+  const auto [b_low, b_high] = std::minmax_element(b.host_s.begin(), b.host_s.end());
+  return *a_low < *b_high && *b_low < *a_high;
+}
+
+RunMap as_it_is(const Run& run) {
+  return {run.first, run.last, 1.0, 0.0};
+}
+
+/// Both streams on one clock. A restart without host stamps leaves only one run to use: how long
+/// the device was away nobody knows.
+ClockMap on_one_clock(const Recording& recording) {
+  ClockMap map;
+  const std::vector<Run> module = runs_of(recording.module);
+  const std::vector<Run> loadcell = runs_of(recording.loadcell);
+  const std::size_t of_module = longest_run(recording.module);
+  const std::size_t of_loadcell =
+      module.size() == loadcell.size() ? of_module : longest_run(recording.loadcell);
+  map.module_runs.push_back(as_it_is(module[of_module]));
+  map.loadcell_runs.push_back(as_it_is(loadcell[of_loadcell]));
+  map.why = "both streams are on one clock";
+  if (module.size() > 1 || loadcell.size() > 1)
+    map.why += printed(
+        "; it began anew %.0f times without host stamps, so only the longest run of "
+        "%.0f rows can be used",
+        double(std::max(module.size(), loadcell.size()) - 1), double(module[of_module].size()));
+  map.why += ".";
+  map.trusted = module.size() == loadcell.size();
+  return map;
+}
+
+}  // namespace
+
+ClockMap synchronise(const Recording& recording) {
+  if (recording.one_clock || recording.module.host_s.empty() || recording.loadcell.host_s.empty())
+    return on_one_clock(recording);
+
+  const std::vector<HostLine> module = host_lines(recording.module);
+  const std::vector<HostLine> loadcell = host_lines(recording.loadcell);
+  const HostLine& module_main = module[longest_run(recording.module)];
+  const std::size_t loadcell_longest = longest_run(recording.loadcell);
+  const HostLine& loadcell_main = loadcell[loadcell_longest];
+  const Latencies latency = latencies(recording);
+
+  ClockMap map;
+  const std::vector<Run> module_runs = runs_of(recording.module);
+  for (std::size_t run = 0; run < module.size(); ++run)
+    map.module_runs.push_back(&module[run] == &module_main
+                                  ? as_it_is(module_runs[run])
+                                  : through_host(module_runs[run], module[run], latency.module_s,
+                                                 module_main, latency.module_s));
+  const std::vector<Run> loadcell_runs = runs_of(recording.loadcell);
+  for (std::size_t run = 0; run < loadcell.size(); ++run)
+    map.loadcell_runs.push_back(through_host(loadcell_runs[run], loadcell[run], latency.loadcell_s,
+                                             module_main, latency.module_s));
+
+  map.rate = map.loadcell_runs[loadcell_longest].rate;
+  map.offset_s = map.loadcell_runs[loadcell_longest].offset_s;
+  const double seen = std::hypot(module_main.ci95_s(), loadcell_main.ci95_s());
+  map.ci95_s = latency.ci95_s + seen;
+
+  std::string reason = doubt(recording.module, module_main);
+  if (reason.empty()) reason = doubt(recording.loadcell, loadcell_main);
+  if (reason.empty() && !overlap(recording.module, recording.loadcell))
+    reason = "the two streams were never received at the same time";
+  map.trusted = reason.empty();
+  map.why = map.trusted
+                ? printed(
+                      "the arrivals place the two clocks within %.3f ms; the fixed part of a "
+                      "one-way latency, which they cannot show, may hide %.1f ms more.",
+                      1e3 * seen, 1e3 * latency.ci95_s)
+                : "not to be trusted: " + reason + ".";
+  return map;
+}
+
+std::vector<double> on_module_clock(const Stream& stream, const std::vector<RunMap>& runs) {
+  std::vector<double> module_s(stream.t_s.size(), std::numeric_limits<double>::quiet_NaN());
+  for (const RunMap& run : runs)
+    for (std::size_t row = run.first; row < run.last; ++row)
+      module_s[row] = run.rate * stream.t_s[row] + run.offset_s;
+  return module_s;
+}
+
+}  // namespace searig::acquisition

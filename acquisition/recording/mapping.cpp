@@ -1,0 +1,151 @@
+#include "acquisition/recording/mapping.h"
+
+#include <toml++/toml.h>
+#include <cmath>
+
+#include "acquisition/error.h"
+#include "acquisition/recording/text_file.h"
+#include "acquisition/recording/units.h"
+
+namespace searig::acquisition {
+namespace {
+
+/// One table of recording.toml, its place in the file and what to say of a wrong key in it.
+class Section {
+ public:
+  Section(const std::filesystem::path& file, std::string name, const toml::table& table)
+      : file_(file), name_(std::move(name)), table_(table) {}
+
+  const toml::table& table() const { return table_; }
+  const std::filesystem::path& file() const { return file_; }
+  const std::string& name() const { return name_; }
+
+  [[noreturn]] void refuse(const toml::node* node, const std::string& what) const {
+    const auto line = (node ? node->source() : table_.source()).begin.line;
+    throw InputError(file_.string() + ", line " + std::to_string(line ? line : 1) + ": " + what +
+                     ".");
+  }
+
+  std::string key(std::string_view of) const { return name_ + "." + std::string(of); }
+
+  std::optional<double> number(std::string_view of) const {
+    const toml::node* node = table_.get(of);
+    if (!node) return std::nullopt;
+    const auto value = node->value<double>();
+    if (!value || !std::isfinite(*value)) refuse(node, key(of) + " must be a finite number");
+    return value;
+  }
+
+  std::optional<double> positive(std::string_view of) const {
+    const auto value = number(of);
+    if (value && *value <= 0.0) refuse(table_.get(of), key(of) + " must be positive");
+    return value;
+  }
+
+  std::optional<std::string> text(std::string_view of) const {
+    const toml::node* node = table_.get(of);
+    if (!node) return std::nullopt;
+    const auto value = node->value_exact<std::string>();
+    if (!value) refuse(node, key(of) + " must be a text");
+    return value;
+  }
+
+  Section section(std::string_view of) const {
+    const toml::node* node = table_.get(of);
+    const std::string path = name_.empty() ? std::string(of) : key(of);
+    if (!node || !node->is_table()) refuse(node, "the section [" + path + "] is missing");
+    return {file_, path, *node->as_table()};
+  }
+
+ private:
+  std::filesystem::path file_;
+  std::string name_;
+  const toml::table& table_;
+};
+
+ColumnMapping column_mapping(const Section& columns, std::string_view channel) {
+  const Section entry = columns.section(channel);
+  const auto si_unit = channel_unit(channel);
+  if (!si_unit) entry.refuse(&entry.table(), entry.name() + ": there is no such channel");
+
+  ColumnMapping mapping;
+  mapping.channel = channel;
+  const toml::node* column = entry.table().get("column");
+  if (!column) entry.refuse(&entry.table(), entry.name() + ".column is missing");
+  if (const auto number = column->value_exact<int64_t>(); number && *number >= 0)
+    mapping.column = static_cast<std::size_t>(*number);
+  else if (const auto name = column->value_exact<std::string>())
+    mapping.column = *name;
+  else
+    entry.refuse(column, entry.name() + ".column must be a column's name, or its number from 0");
+
+  mapping.scale = entry.number("scale").value_or(1.0);
+  mapping.wraps_at = entry.positive("wraps_at");
+  if (const auto name = entry.text("unit")) {
+    const auto unit = find_unit(*name);
+    if (!unit || unit->measures != *si_unit)
+      entry.refuse(entry.table().get("unit"),
+                   entry.name() + ".unit '" + *name + "' is none of " + units_like(*si_unit));
+    mapping.offset = mapping.scale * unit->to_si.offset;
+    mapping.scale *= unit->to_si.factor;
+  }
+  return mapping;
+}
+
+StreamMapping stream_mapping(const Section& section) {
+  StreamMapping stream;
+  stream.name = section.name();
+  const auto file = section.text("file");
+  if (!file) section.refuse(nullptr, section.key("file") + " is missing");
+  stream.file = section.file().parent_path() / *file;
+
+  if (const auto latency = section.number("host_latency_s"))
+    stream.host_latency = {*latency, section.positive("host_latency_ci95_s").value_or(0.0)};
+
+  stream.native = !section.table().contains("columns");
+  if (!stream.native) {
+    const Section columns = section.section("columns");
+    for (const auto& [channel, entry] : columns.table())
+      stream.columns.push_back(column_mapping(columns, channel.str()));
+  }
+  stream.faults = stream.native ? Faults::refuse : Faults::count;
+  if (const auto faults = section.text("faults")) {
+    if (*faults != "count" && *faults != "refuse")
+      section.refuse(section.table().get("faults"),
+                     section.key("faults") + " must be \"count\" or \"refuse\"");
+    stream.faults = *faults == "count" ? Faults::count : Faults::refuse;
+  }
+  return stream;
+}
+
+toml::table parse(const std::filesystem::path& file) {
+  const std::string text = read_text_file(file);
+  try {
+    return toml::parse(text, file.string());
+  } catch (const toml::parse_error& error) {
+    throw InputError(file.string() + ", line " + std::to_string(error.source().begin.line) +
+                     ", column " + std::to_string(error.source().begin.column) + ": " +
+                     std::string(error.description()) + ".");
+  }
+}
+
+}  // namespace
+
+RecordingMapping read_mapping(const std::filesystem::path& toml_file) {
+  const toml::table table = parse(toml_file);
+  const Section root(toml_file, "", table);
+  const auto format = table["format"].value<std::string>();
+  if (format != "searig-recording/1")
+    root.refuse(table.get("format"), "format must be \"searig-recording/1\"");
+
+  const Section module = root.section("module");
+  const Section loadcell = root.section("loadcell");
+  RecordingMapping mapping;
+  mapping.module = stream_mapping(module);
+  mapping.loadcell = stream_mapping(loadcell);
+  mapping.gear_ratio = module.positive("gear_ratio").value_or(1.0);
+  mapping.lever_arm_m = loadcell.number("lever_arm_m");
+  return mapping;
+}
+
+}  // namespace searig::acquisition

@@ -1,0 +1,74 @@
+#include "acquisition/recording/recording.h"
+
+#include "acquisition/error.h"
+#include "acquisition/recording/mapping.h"
+#include "acquisition/recording/stream_reader.h"
+
+namespace searig::acquisition {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// recording.toml of a recording; says what is wrong with the path where there is none.
+fs::path toml_of(const fs::path& recording) {
+  std::error_code error;
+  const fs::file_status status = fs::status(recording, error);
+  if (status.type() == fs::file_type::not_found)
+    throw InputError(recording.string() + ": there is no such recording.");
+  if (error) throw InputError(recording.string() + ": cannot be read: " + error.message() + ".");
+  if (!fs::is_directory(status)) {
+    if (recording.extension() == ".toml") return recording;
+    throw InputError(recording.string() +
+                     ": is no recording; a folder with a recording.toml is one.");
+  }
+  const fs::path toml = recording / "recording.toml";
+  if (!fs::exists(toml, error))
+    throw InputError(error ? recording.string() + ": cannot be read: " + error.message() + "."
+                           : toml.string() + ": is missing; it makes a folder a recording.");
+  return toml;
+}
+
+/// The column a mapping takes as its clock; native files have theirs in t_s.
+const ColumnMapping* clock_column(const StreamMapping& stream) {
+  for (const ColumnMapping& column : stream.columns)
+    if (column.channel == "t_s") return &column;
+  return nullptr;
+}
+
+bool same_clock_column(const StreamMapping& a, const StreamMapping& b) {
+  std::error_code error;
+  if (!fs::equivalent(a.file, b.file, error) || error) return false;
+  const ColumnMapping* one = clock_column(a);
+  const ColumnMapping* other = clock_column(b);
+  return one && other ? one->column == other->column : one == other;
+}
+
+}  // namespace
+
+const std::vector<double>& Stream::channel(std::string_view wanted) const {
+  static const std::vector<double> none;
+  for (const Channel& candidate : channels)
+    if (candidate.name == wanted) return candidate.values;
+  return none;
+}
+
+Recording read_recording(const fs::path& folder) {
+  const fs::path toml = toml_of(folder);
+  const RecordingMapping mapping = read_mapping(toml);
+
+  Recording recording;
+  recording.path = folder;
+  recording.name = fs::absolute(toml).lexically_normal().parent_path().filename().string();
+  recording.gear_ratio = mapping.gear_ratio;
+  recording.module = read_stream(mapping.module);
+  recording.loadcell = read_stream(mapping.loadcell);
+  if (recording.loadcell.channel("torque_nm").empty() && !mapping.lever_arm_m)
+    throw InputError(toml.string() +
+                     ": loadcell.lever_arm_m is missing; column force_n needs it to be a torque.");
+  recording.lever_arm_m = mapping.lever_arm_m.value_or(1.0);
+  recording.one_clock = same_clock_column(mapping.module, mapping.loadcell) ||
+                        recording.module.host_s.empty() || recording.loadcell.host_s.empty();
+  return recording;
+}
+
+}  // namespace searig::acquisition

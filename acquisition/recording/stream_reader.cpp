@@ -1,0 +1,140 @@
+#include "acquisition/recording/stream_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "acquisition/clock/device_clock.h"
+#include "acquisition/error.h"
+
+namespace searig::acquisition {
+namespace {
+
+constexpr std::array<std::string_view, 9> kModuleChannels = {
+    "input_angle_rad",     "output_angle_rad",    "deflection_rad",       "current_a",
+    "motor_angle_rad",     "commanded_angle_rad", "input_velocity_rad_s", "winding_temperature_c",
+    "spring_temperature_c"};
+constexpr std::array<std::string_view, 2> kLoadcellChannels = {"force_n", "torque_nm"};
+
+/// The columns of a native file are those channels of its stream that its header names.
+std::vector<ColumnMapping> native_columns(const CsvFile& file, const std::string& stream) {
+  std::vector<ColumnMapping> columns;
+  const auto take = [&](std::string_view channel) {
+    if (file.find(channel) < file.header().size())
+      columns.push_back({std::string(channel), std::string(channel), 1.0, 0.0, {}});
+  };
+  for (const std::string_view channel : {"t_s", "host_s", "seq"}) take(channel);
+  if (stream == "module")
+    for (const std::string_view channel : kModuleChannels) take(channel);
+  else
+    for (const std::string_view channel : kLoadcellChannels) take(channel);
+  return columns;
+}
+
+bool has(const std::vector<ColumnMapping>& columns, std::string_view channel) {
+  return std::any_of(columns.begin(), columns.end(),
+                     [&](const ColumnMapping& c) { return c.channel == channel; });
+}
+
+/// A stream without a clock is no stream; half a pair of angles is a mistake; a load cell without a
+/// reading says nothing. All else may be missing and switches off what needs it.
+void refuse_missing_channels(const CsvFile& file, const StreamMapping& mapping,
+                             const std::vector<ColumnMapping>& columns) {
+  if (!has(columns, "t_s")) file.refuse_missing("t_s");
+  if (mapping.name == "loadcell") {
+    if (!has(columns, "force_n") && !has(columns, "torque_nm"))
+      file.refuse_missing("force_n (or torque_nm)");
+    return;
+  }
+  const bool input = has(columns, "input_angle_rad"), output = has(columns, "output_angle_rad");
+  const bool deflection = has(columns, "deflection_rad");
+  if (mapping.native && input != output && !deflection)
+    file.refuse_missing(input ? "output_angle_rad" : "input_angle_rad");
+  if (!deflection && !(input && output) && !has(columns, "current_a"))
+    file.refuse_missing("deflection_rad (or input_angle_rad and output_angle_rad, or current_a)");
+}
+
+std::vector<std::size_t> column_numbers(const CsvFile& file,
+                                        const std::vector<ColumnMapping>& columns) {
+  std::vector<std::size_t> numbers;
+  for (const ColumnMapping& column : columns) {
+    if (const auto* name = std::get_if<std::string>(&column.column)) {
+      numbers.push_back(file.find(*name));
+      if (numbers.back() == file.header().size()) file.refuse_missing(*name);
+    } else {
+      numbers.push_back(std::get<std::size_t>(column.column));
+    }
+  }
+  return numbers;
+}
+
+void to_si(std::vector<double>& values, const ColumnMapping& column) {
+  for (double& value : values) {
+    if (column.wraps_at && value >= 0.5 * *column.wraps_at) value -= *column.wraps_at;
+    value = column.scale * value + column.offset;
+  }
+}
+
+std::vector<double> picked(const std::vector<double>& values,
+                           const std::vector<std::size_t>& order) {
+  std::vector<double> result(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) result[i] = values[order[i]];
+  return result;
+}
+
+void refuse_unsorted(const CsvFile& file, const CsvRows& rows, const ClockedRows& clocked,
+                     std::size_t clock_column) {
+  if (clocked.misplaced <= rows.lines.size() / 50 && clocked.t_s.size() > 1) return;
+  throw InputError(file.path().string() + ", line " +
+                   std::to_string(rows.lines[clocked.first_backwards]) + ", " +
+                   file.column_name(clock_column) +
+                   ": the clock is not sorted, it does not rise here nor in " +
+                   std::to_string(clocked.misplaced + clocked.doubled) + " rows in all.");
+}
+
+}  // namespace
+
+Stream read_stream(const StreamMapping& mapping) {
+  const bool by_number =
+      !mapping.native && std::all_of(mapping.columns.begin(), mapping.columns.end(), [](auto& c) {
+        return std::holds_alternative<std::size_t>(c.column);
+      });
+  const CsvFile file(mapping.file, !by_number);
+  std::vector<ColumnMapping> columns =
+      mapping.native ? native_columns(file, mapping.name) : mapping.columns;
+  refuse_missing_channels(file, mapping, columns);
+  std::partition(columns.begin(), columns.end(), [](auto& c) { return c.channel == "t_s"; });
+
+  const std::vector<std::size_t> numbers = column_numbers(file, columns);
+  CsvRows rows = file.read(numbers, mapping.faults);
+  for (std::size_t i = 0; i < columns.size(); ++i) to_si(rows.columns[i], columns[i]);
+
+  const auto values = [&](std::string_view channel) -> const std::vector<double>& {
+    static const std::vector<double> none;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (columns[i].channel == channel) return rows.columns[i];
+    return none;
+  };
+  ClockedRows clocked = read_device_clock(values("t_s"), values("host_s"), values("seq"));
+  refuse_unsorted(file, rows, clocked, numbers[0]);
+
+  Stream stream;
+  stream.name = mapping.name;
+  stream.file = mapping.file;
+  stream.host_latency = mapping.host_latency;
+  stream.t_s = std::move(clocked.t_s);
+  stream.restarts = std::move(clocked.restarts);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].channel == "t_s") continue;
+    std::vector<double> kept = picked(rows.columns[i], clocked.order);
+    if (columns[i].channel == "host_s")
+      stream.host_s = std::move(kept);
+    else
+      stream.channels.push_back({columns[i].channel, std::move(kept)});
+  }
+  stream.counts = {clocked.order.size(), clocked.lost, clocked.doubled,
+                   rows.garbled + clocked.astray, clocked.out_of_order};
+  return stream;
+}
+
+}  // namespace searig::acquisition
