@@ -14,14 +14,28 @@ constexpr std::size_t kWitnesses = 8;
 /// Where counters wrap, s: 16 and 32 bits of ms and of us, and their sign bits.
 constexpr std::array kWraps = {65.536, 32.768, 4294.967296, 2147.483648, 4294967.296, 2147483.648};
 
-/// The step of rows as they come, in whichever order: half of them are shorter.
-double typical_step(std::span<const double> t) {
+/// The steps forward of rows as they come, sorted.
+std::vector<double> sorted_steps(std::span<const double> t) {
   std::vector<double> steps;
+  steps.reserve(t.size());
   for (std::size_t i = 1; i < t.size(); ++i)
     if (t[i] > t[i - 1]) steps.push_back(t[i] - t[i - 1]);
-  if (steps.empty()) return 0.0;
-  std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
-  return steps[steps.size() / 2];
+  std::sort(steps.begin(), steps.end());
+  return steps;
+}
+
+/// Samples missing in the gaps of a rising clock. Only a device that keeps a beat says so: where
+/// the middle half of its steps differ by more than a quarter, a long step is just a long step.
+std::size_t missing_in_gaps(std::span<const double> t) {
+  const std::vector<double> steps = sorted_steps(t);
+  if (steps.size() < 3) return 0;
+  const double step = steps[steps.size() / 2];
+  if (steps[3 * steps.size() / 4] - steps[steps.size() / 4] > 0.25 * step) return 0;
+  std::size_t missing = 0;
+  for (auto gap = std::upper_bound(steps.begin(), steps.end(), 1.5 * step); gap != steps.end();
+       ++gap)
+    missing += static_cast<std::size_t>(std::lround(*gap / step)) - 1;
+  return missing;
 }
 
 /// What a step back from `before` to `after` adds to the clock if it is a counter's wrap, else 0.
@@ -75,7 +89,7 @@ std::size_t missing_between(double before, double after) {
 /// A garbled time ends up far from all others, at an end of the run where it was not received.
 void leave_out_astray(ClockedRows& rows, std::span<const double> t, std::vector<std::size_t>& order,
                       std::size_t end) {
-  const double apart = std::max(1.0, 100.0 * typical_step(t));
+  const double apart = std::max(1.0, 100.0 * median_step(t));
   const std::size_t first_received = *std::min_element(order.begin(), order.end());
   while (order.size() > 2 && order.back() != end - 1 &&
          t[order.back()] - t[order[order.size() - 2]] > apart) {
@@ -114,24 +128,20 @@ void append_run(ClockedRows& rows, std::span<const double> t, std::span<const do
     rows.order.push_back(row);
     rows.t_s.push_back(t[row]);
   }
-  if (!seq.empty()) return;
-  const std::span<const double> kept = std::span(rows.t_s).subspan(first);
-  const double step = median_step(kept);
-  for (std::size_t i = 1; i < kept.size(); ++i)
-    if (kept[i] - kept[i - 1] > 1.5 * step)
-      rows.lost += static_cast<std::size_t>(std::lround((kept[i] - kept[i - 1]) / step)) - 1;
+  if (seq.empty()) rows.lost += missing_in_gaps(std::span(rows.t_s).subspan(first));
 }
 
 }  // namespace
 
 double median_step(std::span<const double> t_s) {
-  return typical_step(t_s);
+  const std::vector<double> steps = sorted_steps(t_s);
+  return steps.empty() ? 0.0 : steps[steps.size() / 2];
 }
 
 ClockedRows read_device_clock(std::span<const double> t_s, std::span<const double> host_s,
                               std::span<const double> seq) {
   ClockedRows rows;
-  const double step = typical_step(t_s);
+  const double step = median_step(t_s);
   std::vector<double> t(t_s.begin(), t_s.end());
   std::vector<std::size_t> runs{0};
   double wrapped = 0.0;  // what the wraps so far add

@@ -16,7 +16,7 @@ struct ClockedRows {
   std::vector<std::size_t> restarts;  ///< indices into `order` at which the clock began anew
   std::size_t doubled = 0;            ///< rows with the seq or the device time of another
   std::size_t out_of_order = 0;       ///< rows older than their predecessor
-  std::size_t lost = 0;               ///< gaps in seq, or in device time where there is no seq
+  std::size_t lost = 0;               ///< gaps in seq, or else in a device time that keeps a beat
   std::size_t astray = 0;             ///< rows left out: their time stands apart from all others
   std::size_t misplaced = 0;          ///< fewest rows to take out for the others to be in order
   std::size_t first_backwards = 0;    ///< the first received row older than its predecessor
@@ -36,7 +36,7 @@ struct ClockedRows {
 ClockedRows read_device_clock(std::span<const double> t_s, std::span<const double> host_s,
                               std::span<const double> seq);
 
-/// The middle of the steps of a rising clock, s; 0 for fewer than two samples.
+/// The middle of a clock's steps forward, s; 0 where there are none.
 double median_step(std::span<const double> t_s);
 
 }  // namespace searig::acquisition

@@ -10,6 +10,9 @@
 
 namespace searig::acquisition {
 
+constexpr double kShortRun = 5.0;     ///< s, below which a rate cannot be told from latency
+constexpr std::size_t kFewRows = 50;  ///< below which the floor of the latencies may be missed
+
 /// Rows [first, last) of a stream between two restarts.
 struct Run {
   std::size_t first = 0;

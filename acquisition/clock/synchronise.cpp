@@ -2,26 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <span>
 
+#include "acquisition/clock/doubt.h"
 #include "acquisition/clock/host_clock.h"
 
 namespace searig::acquisition {
 namespace {
 
 constexpr double kHiddenLatency = 0.004;  // s, the most an undeclared fixed latency is taken to be
-constexpr double kShort = 5.0;            // s, below which a rate cannot be told from latency
-constexpr std::size_t kFew = 50;          // rows
-constexpr double kRateError = 0.01;       // an Arduino's resonator was seen at 0.002
-constexpr double kTrustedInterval = 0.010;  // s, the widest interval that is still of use
-
-std::string printed(const char* format, double a, double b = 0.0) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, a, b);
-  return text;
-}
 
 /// The host lines of all runs of a stream; short runs borrow the rate of the longest.
 std::vector<HostLine> host_lines(const Stream& stream) {
@@ -34,7 +24,7 @@ std::vector<HostLine> host_lines(const Stream& stream) {
   std::vector<HostLine> lines;
   for (std::size_t run = 0; run < runs.size(); ++run) {
     const auto t = part(stream.t_s, run), host = part(stream.host_s, run);
-    const bool short_run = t.size() < kFew || t.back() - t.front() < 2.0 * kShort;
+    const bool short_run = t.size() < kFewRows || t.back() - t.front() < 2.0 * kShortRun;
     lines.push_back(run == longest ? main
                     : short_run    ? fit_host_line(t, host, main.delay.slope)
                                    : fit_host_line(t, host));
@@ -67,40 +57,6 @@ Latencies latencies(const Recording& recording) {
   const HostLatency unknown{0.5 * kHiddenLatency, 0.5 * kHiddenLatency};
   const HostLatency m = module.value_or(unknown), l = loadcell.value_or(unknown);
   return {m.latency_s, l.latency_s, std::hypot(m.ci95_s, l.ci95_s)};
-}
-
-std::size_t steps_back(const std::vector<double>& host_s) {
-  std::size_t count = 0;
-  for (std::size_t i = 1; i < host_s.size(); ++i) count += host_s[i] < host_s[i - 1];
-  return count;
-}
-
-/// Why this stream's line cannot be trusted; empty where it can.
-std::string doubt(const Stream& stream, const HostLine& line) {
-  if (line.rows < kFew)
-    return "the " + stream.name + printed(" stream has only %.0f rows", double(line.rows));
-  if (line.seconds < kShort)
-    return "the " + stream.name + printed(" stream lasts only %.1f s", line.seconds);
-  if (std::abs(line.delay.slope) > kRateError)
-    return "the " + stream.name +
-           printed(" clock would be wrong by %.0f ppm, more than any clock is",
-                   1e6 * line.delay.slope);
-  if (50 * steps_back(stream.host_s) > stream.host_s.size())
-    return "the host's clock steps back between rows of the " + stream.name + " stream";
-  if (line.lowest_percent_s > 0.001 && line.lowest_percent_s > 0.6 * line.median_s)
-    return "a few rows of the " + stream.name +
-           printed(" stream arrived %.1f ms before all others can, so the host's clock was set",
-                   1e3 * line.lowest_percent_s);
-  if (line.ci95_s() > kTrustedInterval)
-    return "the halves of the " + stream.name +
-           printed(" stream disagree by %.1f ms", 1e3 * line.halves_apart_s);
-  return {};
-}
-
-bool overlap(const Stream& a, const Stream& b) {
-  const auto [a_low, a_high] = std::minmax_element(a.host_s.begin(), a.host_s.end());
-  const auto [b_low, b_high] = std::minmax_element(b.host_s.begin(), b.host_s.end());
-  return *a_low < *b_high && *b_low < *a_high;
 }
 
 RunMap as_it_is(const Run& run) {
@@ -161,7 +117,7 @@ ClockMap synchronise(const Recording& recording) {
 
   std::string reason = doubt(recording.module, module_main);
   if (reason.empty()) reason = doubt(recording.loadcell, loadcell_main);
-  if (reason.empty() && !overlap(recording.module, recording.loadcell))
+  if (reason.empty() && !heard_together(recording.module, recording.loadcell))
     reason = "the two streams were never received at the same time";
   map.trusted = reason.empty();
   map.why = map.trusted

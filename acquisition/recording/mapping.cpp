@@ -100,7 +100,7 @@ StreamMapping stream_mapping(const Section& section) {
   stream.file = section.file().parent_path() / *file;
 
   if (const auto latency = section.number("host_latency_s"))
-    stream.host_latency = {*latency, section.positive("host_latency_ci95_s").value_or(0.0)};
+    stream.host_latency = {*latency, std::abs(section.number("host_latency_ci95_s").value_or(0.0))};
 
   stream.native = !section.table().contains("columns");
   if (!stream.native) {

@@ -1,9 +1,11 @@
 #include "acquisition/recording/text_file.h"
 
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <stdexcept>
 
 #include "acquisition/error.h"
 
@@ -33,6 +35,24 @@ std::string read_text_file(const std::filesystem::path& path) {
   if (std::ferror(file.get())) refuse(errno);
   text.resize(filled);
   return text;
+}
+
+void write_text_file(const std::filesystem::path& path, std::string_view text) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  bool done = file && std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  int error = errno;
+  if (file && std::fclose(file) != 0) {  // a full disk may show only here
+    done = false;
+    error = errno;
+  }
+  if (!done)
+    throw std::runtime_error(path.string() + ": cannot be written: " + std::strerror(error) + ".");
+}
+
+void append_number(std::string& text, double number) {
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, number).ptr;
+  text.append(digits, end);
 }
 
 }  // namespace searig::acquisition

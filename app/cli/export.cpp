@@ -1,7 +1,53 @@
+// searig export: a recording on one clock, for other programs.
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "acquisition/recording/text_file.h"
 #include "app/cli/commands.h"
+#include "app/session/export_csv.h"
 
 namespace searig::app {
+namespace {
 
-void add_export(CLI::App&) {}
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string recording;
+  std::string format = "csv";
+  std::string out;
+  bool long_form = false;
+};
+
+void run(const Options& options) {
+  const Session session = open_session(options.recording);
+  fs::path out = options.out;
+  if (fs::is_directory(out)) out /= session.recording.name + ".csv";
+  const std::string text = options.long_form ? to_csv_long(session) : to_csv_table(session);
+  if (options.out == "-") {
+    std::cout << text << std::flush;
+    return;
+  }
+  acquisition::write_text_file(out, text);
+  std::cout << out.string() << ": " << session.signals.loadcell.t_s.size()
+            << " load-cell samples on the module's clock, +- " << 1e3 * session.clock.ci95_s
+            << " ms\n";
+  if (!session.clock.trusted) std::cout << "clocks: " << session.clock.why << '\n';
+}
+
+}  // namespace
+
+void add_export(CLI::App& app) {
+  auto* command = app.add_subcommand("export", "Write a recording, on one clock, for others");
+  const auto options = std::make_shared<Options>();
+  command->add_option("RECORDING", options->recording, "Folder with a recording.toml")->required();
+  command->add_option("--format", options->format, "csv")->check(CLI::IsMember({"csv"}));
+  command->add_option("--out", options->out, "File, or folder to put it in (- for stdout)")
+      ->required();
+  command->add_flag("--long", options->long_form,
+                    "One value per row as received, nothing interpolated");
+  command->footer("Example:\n  searig export my_recording --format csv --out my_recording.csv");
+  command->callback([options] { run(*options); });
+}
 
 }  // namespace searig::app

@@ -1,7 +1,83 @@
+// searig info: what is in a recording.
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include "acquisition/clock/synchronise.h"
 #include "app/cli/commands.h"
+#include "app/cli/json_output.h"
+#include "app/session/stream_facts.h"
 
 namespace searig::app {
+namespace {
 
-void add_info(CLI::App&) {}
+struct Options {
+  std::string recording;
+  std::string json;
+};
+
+nlohmann::json stream_answer(const acquisition::Stream& stream) {
+  nlohmann::json answer = stream_json(stream);
+  answer["file"] = stream.file.string();
+  answer["seconds"] = seconds_of(stream);
+  answer["host_stamps"] = !stream.host_s.empty();
+  answer["channels"] = nlohmann::json::array();
+  for (const acquisition::Channel& channel : stream.channels) {
+    const auto [low, high] = std::minmax_element(channel.values.begin(), channel.values.end());
+    answer["channels"].push_back({{"name", channel.name}, {"lowest", *low}, {"highest", *high}});
+  }
+  return answer;
+}
+
+nlohmann::json answer(const acquisition::Recording& recording, const acquisition::ClockMap& map) {
+  return {{"format", "searig-info/1"},
+          {"name", recording.name},
+          {"gear_ratio", recording.gear_ratio},
+          {"lever_arm_m", recording.lever_arm_m},
+          {"one_clock", recording.one_clock},
+          {"clocks_trusted", map.trusted},
+          {"clocks_why", map.why},
+          {"streams", {stream_answer(recording.module), stream_answer(recording.loadcell)}},
+          {"switched_off", switched_off(recording)}};
+}
+
+void say_stream(const acquisition::Stream& stream) {
+  std::cout << stream_line(stream) << "\n    " << stream.file.string() << '\n';
+  for (const acquisition::Channel& channel : stream.channels) {
+    const auto [low, high] = std::minmax_element(channel.values.begin(), channel.values.end());
+    char line[120];
+    std::snprintf(line, sizeof line, "    %-22s %12.6g to %.6g\n", channel.name.c_str(), *low,
+                  *high);
+    std::cout << line;
+  }
+}
+
+void say(const acquisition::Recording& recording, const acquisition::ClockMap& map) {
+  std::cout << recording.name << ": gear ratio " << recording.gear_ratio << ", lever arm "
+            << recording.lever_arm_m << " m\n";
+  say_stream(recording.module);
+  say_stream(recording.loadcell);
+  std::cout << "clocks: " << map.why << '\n';
+  for (const std::string& sentence : switched_off(recording)) std::cout << sentence << '\n';
+}
+
+void run(const Options& options) {
+  const acquisition::Recording recording = acquisition::read_recording(options.recording);
+  const acquisition::ClockMap map = acquisition::synchronise(recording);
+  if (options.json != "-") say(recording, map);
+  if (!options.json.empty()) write_json(answer(recording, map), options.json);
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  auto* command = app.add_subcommand("info", "Say what is in a recording");
+  const auto options = std::make_shared<Options>();
+  command->add_option("RECORDING", options->recording, "Folder with a recording.toml")->required();
+  command->add_option("--json", options->json, "Write the answer for machines (- for stdout)");
+  command->footer("Example:\n  searig info my_recording");
+  command->callback([options] { run(*options); });
+}
 
 }  // namespace searig::app

@@ -1,0 +1,54 @@
+#include "acquisition/clock/doubt.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace searig::acquisition {
+namespace {
+
+constexpr double kRateError = 0.01;         // an Arduino's resonator was seen at 0.002
+constexpr double kTrustedInterval = 0.010;  // s, the widest interval that is still of use
+
+std::size_t steps_back(const std::vector<double>& host_s) {
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < host_s.size(); ++i) count += host_s[i] < host_s[i - 1];
+  return count;
+}
+
+}  // namespace
+
+std::string printed(const char* format, double a, double b) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, a, b);
+  return text;
+}
+
+std::string doubt(const Stream& stream, const HostLine& line) {
+  if (line.rows < kFewRows)
+    return "the " + stream.name + printed(" stream has only %.0f rows", double(line.rows));
+  if (line.seconds < kShortRun)
+    return "the " + stream.name + printed(" stream lasts only %.1f s", line.seconds);
+  if (std::abs(line.delay.slope) > kRateError)
+    return "the " + stream.name +
+           printed(" clock would be wrong by %.0f ppm, more than any clock is",
+                   1e6 * line.delay.slope);
+  if (50 * steps_back(stream.host_s) > stream.host_s.size())
+    return "the host's clock steps back between rows of the " + stream.name + " stream";
+  if (line.lowest_percent_s > 0.001 && line.lowest_percent_s > 0.6 * line.median_s)
+    return "a few rows of the " + stream.name +
+           printed(" stream arrived %.1f ms before all others can, so the host's clock was set",
+                   1e3 * line.lowest_percent_s);
+  if (line.ci95_s() > kTrustedInterval)
+    return "the halves of the " + stream.name +
+           printed(" stream disagree by %.1f ms", 1e3 * line.halves_apart_s);
+  return {};
+}
+
+bool heard_together(const Stream& a, const Stream& b) {
+  const auto [a_low, a_high] = std::minmax_element(a.host_s.begin(), a.host_s.end());
+  const auto [b_low, b_high] = std::minmax_element(b.host_s.begin(), b.host_s.end());
+  return *a_low < *b_high && *b_low < *a_high;
+}
+
+}  // namespace searig::acquisition
