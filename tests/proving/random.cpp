@@ -14,7 +14,9 @@ std::uint64_t splitmix(std::uint64_t& x) {
   return z ^ (z >> 31);
 }
 
-std::uint64_t rotate_left(std::uint64_t x, int k) { return (x << k) | (x >> (64 - k)); }
+std::uint64_t rotate_left(std::uint64_t x, int k) {
+  return (x << k) | (x >> (64 - k));
+}
 
 }  // namespace
 
@@ -54,7 +56,9 @@ double Random::normal() {  // Box-Muller
   return radius * std::cos(2.0 * std::numbers::pi * uniform());
 }
 
-double Random::exponential(double mean) { return -mean * std::log(1.0 - uniform()); }
+double Random::exponential(double mean) {
+  return -mean * std::log(1.0 - uniform());
+}
 
 int Random::integer(int low, int high) {
   return low + static_cast<int>(uniform() * (high - low + 1));

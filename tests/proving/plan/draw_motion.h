@@ -10,6 +10,7 @@ namespace searig::proving {
 MotionPlan draw_motion(const Item& item, Random random);
 
 /// Where, in seconds of motion, the segment of this name runs; {0, 0} when it does not.
-std::pair<double, double> segment_interval(const MotionPlan& plan, const std::string& name, double duration_s);
+std::pair<double, double> segment_interval(const MotionPlan& plan, const std::string& name,
+                                           double duration_s);
 
 }  // namespace searig::proving

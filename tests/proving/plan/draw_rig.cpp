@@ -38,10 +38,19 @@ Statistics statistics_of(const Trace& t, const Rig& rig) {
   const auto deflection = difference(t.input_angle_rad, t.output_angle_rad);
   const auto rate = difference(t.input_velocity_rad_s, t.output_velocity_rad_s);
   const double k = rig.base.stiffness_nm_per_rad;
-  return {k * rms(deflection), k * peak(deflection), rms(deflection), peak(deflection), rms(rate),
-          rms(t.input_velocity_rad_s), rms(t.input_acceleration_rad_s2),
-          rms(t.output_acceleration_rad_s2), rms(t.current_a), peak(t.input_angle_rad),
-          peak(t.output_angle_rad), span(t.winding_c), span(t.spring_c)};
+  return {k * rms(deflection),
+          k * peak(deflection),
+          rms(deflection),
+          peak(deflection),
+          rms(rate),
+          rms(t.input_velocity_rad_s),
+          rms(t.input_acceleration_rad_s2),
+          rms(t.output_acceleration_rad_s2),
+          rms(t.current_a),
+          peak(t.input_angle_rad),
+          peak(t.output_angle_rad),
+          span(t.winding_c),
+          span(t.spring_c)};
 }
 
 Rig draw_rig(const Item& item, Random random) {
@@ -58,7 +67,8 @@ Rig draw_rig(const Item& item, Random random) {
   rig.motion = plan_motion(plan, rig.duration_s + rig.preroll_s, random.fork("motion"));
   const double swing = plan.motor_amplitude_rad, speed = 1.9 * swing * plan.pace;
 
-  b.gear_ratio = random.pick(std::vector<double>{6, 10, 16, 25, 50, 80, 100, 121, 160, 200, 300, 349, 400});
+  b.gear_ratio =
+      random.pick(std::vector<double>{6, 10, 16, 25, 50, 80, 100, 121, 160, 200, 300, 349, 400});
   b.lever_arm_m = std::round(random.uniform(0.05, 0.4) * 100.0) / 100.0;
   b.efficiency = random.uniform(0.62, 0.9);
   b.torque_constant_nm_per_a = torque / (b.efficiency * random.log_uniform(0.5, 5.0));
@@ -81,8 +91,8 @@ Rig draw_rig(const Item& item, Random random) {
   rig.thermal.spring_tau_s = random.uniform(20.0, 60.0);
   const double current = torque / (b.efficiency * b.torque_constant_nm_per_a);
   rig.thermal.winding_rise_c_per_a2 = random.uniform(15.0, 45.0) / (current * current);
-  rig.thermal.spring_rise_c_per_w = random.uniform(3.0, 10.0) / (torque * 3.0 * deflection);
-  rig.thermal.ambient_drift_c_per_min = random.sign() * random.uniform(0.3, 3.0);
+  rig.thermal.spring_rise_c_per_w = random.uniform(4.0, 12.0) / (torque * 2.0 * deflection);
+  rig.thermal.ambient_drift_c_per_min = random.sign() * random.uniform(1.0, 5.0);
   return rig;
 }
 
@@ -90,37 +100,45 @@ Sensing draw_sensing(const Item& item, const Rig& rig, const Statistics& stats, 
   Sensing s;
   s.seed = random.bits();
   s.torque_rms_nm = stats.torque_rms_nm;
-  s.module_rate_hz = random.pick(std::vector<double>{100, 200, 200, 250, 250, 250, 333, 400, 500, 500, 1000});
+  s.module_rate_hz =
+      random.pick(std::vector<double>{100, 200, 200, 250, 250, 250, 333, 400, 500, 500, 1000});
   s.loadcell_rate_hz = random.pick(std::vector<double>{20, 40, 50, 50, 50, 80, 80, 80, 100, 200});
-  s.module_clock = {random.uniform(-60.0, 60.0), random.uniform(0.0, 500.0), random.chance(0.5) ? 1e-4 : 1e-6};
-  s.loadcell_clock = {random.uniform(-2500.0, 2500.0), random.uniform(0.0, 900.0), random.chance(0.5) ? 4e-6 : 1e-6};
+  s.module_clock = {random.uniform(-60.0, 60.0), random.uniform(0.0, 500.0),
+                    random.chance(0.5) ? 1e-4 : 1e-6};
+  s.loadcell_clock = {random.uniform(-2500.0, 2500.0), random.uniform(0.0, 900.0),
+                      random.chance(0.5) ? 4e-6 : 1e-6};
   s.module_link = {random.uniform(1.5e-4, 8e-4), random.uniform(1e-4, 4e-4), 0.0, 0.0, 0.0, 0.0};
   s.loadcell_link = {random.uniform(5e-4, 3.2e-3), random.uniform(1e-3, 5e-3), 0.0, 0.0, 0.0, 0.0};
-  if (random.chance(0.4)) s.loadcell_link.usb_timer_s = random.pick(std::vector<double>{1e-3, 4e-3, 16e-3});
+  if (random.chance(0.4))
+    s.loadcell_link.usb_timer_s = random.pick(std::vector<double>{1e-3, 4e-3, 16e-3});
   if (random.chance(0.4)) {
     s.module_link.stall_chance = 0.1 / s.module_rate_hz, s.module_link.stall_s = 0.05;
     s.loadcell_link.stall_chance = 0.1 / s.loadcell_rate_hz, s.loadcell_link.stall_s = 0.12;
   }
-  if (random.chance(0.5)) s.module_link.loss_chance = s.loadcell_link.loss_chance = random.log_uniform(2e-4, 4e-3);
+  if (random.chance(0.5))
+    s.module_link.loss_chance = s.loadcell_link.loss_chance = random.log_uniform(2e-4, 4e-3);
 
   NoisePlan& n = s.noise;
   n.loadcell_rms_nm = random.log_uniform(0.003, 0.008) * stats.torque_rms_nm;
-  n.loadcell_kind = random.pick(std::vector<std::string>{"white", "white", "white", "white", "ar0.6", "ar0.9",
-                                                         "ar0.97", "hum", "loud_when_loaded", "outliers"});
+  n.loadcell_kind =
+      random.pick(std::vector<std::string>{"white", "white", "white", "white", "ar0.6", "ar0.9",
+                                           "ar0.97", "hum", "loud_when_loaded", "outliers"});
   // After the 10 ms smoothing the drive is between as loud and twice as loud as the load cell.
   const double torque_per_a = rig.base.efficiency * rig.base.torque_constant_nm_per_a;
   n.current_rms_a = random.uniform(0.7, 2.0) * n.loadcell_rms_nm / torque_per_a *
                     std::sqrt(std::max(1.0, s.module_rate_hz / 50.0));
   // The encoder's own rounding stays below the load cell's noise.
-  const double wanted = random.uniform(0.4, 1.2) * n.loadcell_rms_nm / rig.base.stiffness_nm_per_rad;
+  const double wanted =
+      random.uniform(0.4, 1.2) * n.loadcell_rms_nm / rig.base.stiffness_nm_per_rad;
   const double turn = 2.0 * std::numbers::pi;
   s.angle_step_rad = turn / std::exp2(std::ceil(std::log2(turn / wanted)));
   s.interpolation_error_rad = random.chance(0.3) ? 0.2 * s.angle_step_rad : 0.0;
   s.current_step_a = std::exp2(std::floor(std::log2(0.5 * n.current_rms_a)));
-  s.force_step_n = std::exp2(std::floor(std::log2(random.uniform(0.2, 0.8) * n.loadcell_rms_nm / rig.base.lever_arm_m)));
-  const bool thermal_effect = std::any_of(item.effects.begin(), item.effects.end(), [](const auto& e) {
-    return e.find("temperature") != std::string::npos;
-  });
+  s.force_step_n = std::exp2(
+      std::floor(std::log2(random.uniform(0.2, 0.8) * n.loadcell_rms_nm / rig.base.lever_arm_m)));
+  const bool thermal_effect =
+      std::any_of(item.effects.begin(), item.effects.end(),
+                  [](const auto& e) { return e.find("temperature") != std::string::npos; });
   s.temperatures = thermal_effect || random.chance(0.3);
   if (item.variant == "load-cell offset" || item.variant == "every number")
     s.loadcell_offset_nm = random.sign() * random.uniform(0.01, 0.06) * stats.torque_rms_nm;

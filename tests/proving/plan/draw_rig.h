@@ -9,7 +9,8 @@ namespace searig::proving {
 /// What a simulated motion amounts to; amplitudes are drawn against it.
 struct Statistics {
   double torque_rms_nm, torque_peak_nm, deflection_rms_rad, deflection_peak_rad;
-  double rate_rms_rad_s, velocity_rms_rad_s, acceleration_rms_rad_s2, output_acceleration_rms_rad_s2;
+  double rate_rms_rad_s, velocity_rms_rad_s, acceleration_rms_rad_s2,
+      output_acceleration_rms_rad_s2;
   double current_rms_a, input_peak_rad, output_peak_rad, winding_span_c, spring_span_c;
 };
 Statistics statistics_of(const Trace& trace, const Rig& rig);

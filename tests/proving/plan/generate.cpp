@@ -1,5 +1,7 @@
 #include "tests/proving/plan/generate.h"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <cstdio>
 #include <fstream>
@@ -15,6 +17,7 @@ void generate(const std::vector<Item>& items, const std::filesystem::path& direc
   std::filesystem::create_directories(directory / "recordings");
   std::vector<nlohmann::json> answers(items.size());
   std::atomic<std::size_t> next{0}, done{0};
+  const bool talk = isatty(STDERR_FILENO) != 0;
   std::mutex guard;
   std::string failure;
   const auto work = [&] {
@@ -28,13 +31,14 @@ void generate(const std::vector<Item>& items, const std::filesystem::path& direc
         failure = items[i].name + ": " + e.what();
         next = items.size();
       }
-      std::fprintf(stderr, "\r%zu of %zu", ++done, items.size());
+      if (talk)
+        std::fprintf(stderr, "\r%zu of %zu%s", ++done, items.size(),
+                     done == items.size() ? "\n" : "");
     }
   };
   std::vector<std::jthread> pool;
   for (int i = 0; i < threads; ++i) pool.emplace_back(work);
   pool.clear();
-  std::fputc('\n', stderr);
   if (!failure.empty()) throw std::runtime_error(failure);
   nlohmann::json sealed = nlohmann::json::object();
   for (std::size_t i = 0; i < items.size(); ++i) sealed[items[i].name] = answers[i];

@@ -15,16 +15,23 @@ struct Band {
 
 Band band_of(Strength strength) {
   switch (strength) {
-    case Strength::faint: return {0.12, 0.28};
-    case Strength::weak: return {0.35, 0.9};
-    case Strength::medium: return {1.2, 2.7};
-    case Strength::strong: return {3.3, 10.0};
-    default: return {1.6, 6.0};
+    case Strength::faint:
+      return {0.12, 0.28};
+    case Strength::weak:
+      return {0.35, 0.9};
+    case Strength::medium:
+      return {1.2, 2.7};
+    case Strength::strong:
+      return {3.3, 10.0};
+    default:
+      return {1.6, 6.0};
   }
 }
 
 /// What comes late shows only beyond the clock's slack: it is drawn in seconds.
-bool comes_late(const Effect& e) { return e.name == "rig.delay" || e.name == "rig.lag"; }
+bool comes_late(const Effect& e) {
+  return e.name == "rig.delay" || e.name == "rig.lag";
+}
 
 double draw_lateness_s(Strength strength, Random& random) {
   if (strength == Strength::weak) return random.uniform(0.008, 0.012);
@@ -55,14 +62,16 @@ void keep_physical(Effect& e, const Statistics& stats) {
   limit("share", 0.45), limit("share_back_driving", 0.45);
   limit("half_width_rad", 0.6 * stats.deflection_rms_rad);
   limit("depth_share", 0.8), limit("set_rad", stats.deflection_rms_rad);
-  if (e.name == "spring.temperature" || e.name == "drive.torque_constant_temperature") limit("per_c", 0.02);
+  if (e.name == "spring.temperature" || e.name == "drive.torque_constant_temperature")
+    limit("per_c", 0.02);
   if (e.name == "drive.stribeck") limit("torque_nm", 0.4 * stats.torque_rms_nm);
   if (e.name == "drive.inertia") e.parameters["j_kg_m2"] = std::max(e.at("j_kg_m2"), 1e-7);
 }
 
 /// Alone in the rig, the effect is made as visible as wanted: a few secant-free rescalings, since
 /// nearly every effect grows in proportion to its amplitude.
-Effect calibrate(Effect e, const Rig& plain, const Sensing& sensing, const Statistics& stats, double wanted) {
+Effect calibrate(Effect e, const Rig& plain, const Sensing& sensing, const Statistics& stats,
+                 double wanted) {
   for (int i = 0; i < 7; ++i) {
     Rig rig = plain;
     keep_physical(e, stats);
@@ -75,10 +84,13 @@ Effect calibrate(Effect e, const Rig& plain, const Sensing& sensing, const Stati
   return e;
 }
 
-double off_by(Random& random, double most) { return 1.0 + random.uniform(-most, most); }
+double off_by(Random& random, double most) {
+  return 1.0 + random.uniform(-most, most);
+}
 
 /// The numbers in the owner's model: true, somewhat off, or fitted with the effect in.
-Baseline believed_numbers(const Item& item, const Rig& rig, const FittedNumbers& fitted, Random random) {
+Baseline believed_numbers(const Item& item, const Rig& rig, const FittedNumbers& fitted,
+                          Random random) {
   Baseline b = rig.base;
   const std::string& v = item.variant;
   if (v == "adapted") {
@@ -89,7 +101,8 @@ Baseline believed_numbers(const Item& item, const Rig& rig, const FittedNumbers&
     b.viscous_nm_s_per_rad = std::max(0.1 * b.viscous_nm_s_per_rad, fitted.viscous_nm_s_per_rad);
     return b;
   }
-  const bool every = v == "every number" || (item.level != "exact" && item.level != "numbers" && random.chance(0.7));
+  const bool every = v == "every number" ||
+                     (item.level != "exact" && item.level != "numbers" && random.chance(0.7));
   if (every || v == "stiffness") b.stiffness_nm_per_rad *= off_by(random, 0.12);
   if (every || v == "torque constant") b.torque_constant_nm_per_a *= off_by(random, 0.12);
   if (every) b.inertia_kg_m2 *= off_by(random, 0.12);
@@ -127,7 +140,8 @@ Case attempt(const Item& item, const Random& random) {
 bool as_wanted(const Case& c) {
   if (!std::isfinite(c.visible) || !std::isfinite(c.reachable.rho())) return false;
   if (c.concealed.empty()) return c.visible < 0.08;
-  if (c.concealed.size() > 1 || comes_late(c.concealed[0]) || c.concealed[0].amplitude.empty()) return true;
+  if (c.concealed.size() > 1 || comes_late(c.concealed[0])) return true;
+  if (c.concealed[0].amplitude.empty()) return c.visible > 1.0;
   const Band band = band_of(c.item.strength);
   return c.visible > 0.85 * band.low && c.visible < 1.15 * band.high;
 }

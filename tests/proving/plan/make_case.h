@@ -9,13 +9,13 @@ namespace searig::proving {
 /// One recording with everything that is true about it.
 struct Case {
   Item item;
-  Rig rig;                       ///< with the effects in
+  Rig rig;  ///< with the effects in
   Sensing sensing;
-  std::vector<Effect> concealed; ///< what the owner's model lacks
-  Baseline believed;             ///< the owner's numbers
+  std::vector<Effect> concealed;  ///< what the owner's model lacks
+  Baseline believed;              ///< the owner's numbers
   Recording recording;
   Reachable reachable;
-  double visible = 0.0;          ///< strength after the clock, too, was refitted
+  double visible = 0.0;  ///< strength after the clock, too, was refitted
   Located located;
 };
 

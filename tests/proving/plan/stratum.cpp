@@ -12,38 +12,78 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-const Names singles{
-    "spring.viscous",     "spring.cubic",         "spring.hysteresis",    "spring.relaxation",
-    "spring.mullins",     "spring.temperature",   "spring.asymmetry",     "spring.deadzone",
-    "drive.inertia",      "drive.coulomb",        "drive.viscous",        "drive.stribeck",
-    "drive.load_friction", "drive.ripple",        "drive.current_offset", "drive.torque_constant_temperature",
-    "rig.delay",          "rig.lag",              "rig.zero_drift",       "rig.gravity",
-    "rig.inertia"};
+const Names singles{"spring.viscous",
+                    "spring.cubic",
+                    "spring.hysteresis",
+                    "spring.relaxation",
+                    "spring.mullins",
+                    "spring.temperature",
+                    "spring.asymmetry",
+                    "spring.deadzone",
+                    "drive.inertia",
+                    "drive.coulomb",
+                    "drive.viscous",
+                    "drive.stribeck",
+                    "drive.load_friction",
+                    "drive.ripple",
+                    "drive.current_offset",
+                    "drive.torque_constant_temperature",
+                    "rig.delay",
+                    "rig.lag",
+                    "rig.zero_drift",
+                    "rig.gravity",
+                    "rig.inertia"};
 
-const Names oddities{
-    "snag",             "quadratic_drag",  "speed_chatter",       "backlash_click",
-    "slip_event",       "detent",          "periodic_bearing_friction", "plastic_yield",
-    "zero_random_walk", "frozen_reading",  "zero_step",           "saturation",
-    "gain_fault",       "cable_tremor",    "missing_codes",       "encoder_eccentricity",
-    "encoder_slip",     "current_sensor_fault"};
+const Names oddities{"snag",
+                     "quadratic_drag",
+                     "speed_chatter",
+                     "backlash_click",
+                     "slip_event",
+                     "detent",
+                     "periodic_bearing_friction",
+                     "plastic_yield",
+                     "zero_random_walk",
+                     "frozen_reading",
+                     "zero_step",
+                     "saturation",
+                     "gain_fault",
+                     "cable_tremor",
+                     "missing_codes",
+                     "encoder_eccentricity",
+                     "encoder_slip",
+                     "current_sensor_fault"};
 
 /// Those that hide each other first; the rest are ordinary company.
-const std::vector<Names> pairs{
-    {"spring.viscous", "rig.delay"},         {"spring.viscous", "rig.lag"},
-    {"drive.viscous", "rig.delay"},          {"spring.relaxation", "spring.hysteresis"},
-    {"spring.cubic", "spring.deadzone"},     {"spring.mullins", "spring.temperature"},
-    {"spring.relaxation", "rig.zero_drift"}, {"drive.coulomb", "drive.stribeck"},
-    {"drive.coulomb", "drive.viscous"},      {"rig.inertia", "rig.lag"},
-    {"rig.gravity", "spring.asymmetry"},     {"drive.load_friction", "drive.coulomb"},
-    {"spring.viscous", "drive.stribeck"},    {"rig.gravity", "spring.cubic"},
-    {"spring.hysteresis", "drive.ripple"},   {"spring.temperature", "drive.torque_constant_temperature"},
-    {"spring.viscous", "spring.hysteresis"}, {"rig.zero_drift", "drive.current_offset"},
-    {"spring.relaxation", "rig.gravity"},    {"drive.inertia", "rig.inertia"},
-    {"spring.deadzone", "drive.load_friction"}, {"spring.asymmetry", "drive.viscous"},
-    {"spring.cubic", "rig.delay"},           {"spring.mullins", "drive.stribeck"},
-    {"drive.ripple", "rig.inertia"},         {"spring.hysteresis", "rig.lag"},
-    {"spring.temperature", "rig.zero_drift"}, {"drive.current_offset", "spring.deadzone"},
-    {"spring.relaxation", "drive.load_friction"}, {"drive.inertia", "spring.viscous"}};
+const std::vector<Names> pairs{{"spring.viscous", "rig.delay"},
+                               {"spring.viscous", "rig.lag"},
+                               {"drive.viscous", "rig.delay"},
+                               {"spring.relaxation", "spring.hysteresis"},
+                               {"spring.cubic", "spring.deadzone"},
+                               {"spring.mullins", "spring.temperature"},
+                               {"spring.relaxation", "rig.zero_drift"},
+                               {"drive.coulomb", "drive.stribeck"},
+                               {"drive.coulomb", "drive.viscous"},
+                               {"rig.inertia", "rig.lag"},
+                               {"rig.gravity", "spring.asymmetry"},
+                               {"drive.load_friction", "drive.coulomb"},
+                               {"spring.viscous", "drive.stribeck"},
+                               {"rig.gravity", "spring.cubic"},
+                               {"spring.hysteresis", "drive.ripple"},
+                               {"spring.temperature", "drive.torque_constant_temperature"},
+                               {"spring.viscous", "spring.hysteresis"},
+                               {"rig.zero_drift", "drive.current_offset"},
+                               {"spring.relaxation", "rig.gravity"},
+                               {"drive.inertia", "rig.inertia"},
+                               {"spring.deadzone", "drive.load_friction"},
+                               {"spring.asymmetry", "drive.viscous"},
+                               {"spring.cubic", "rig.delay"},
+                               {"spring.mullins", "drive.stribeck"},
+                               {"drive.ripple", "rig.inertia"},
+                               {"spring.hysteresis", "rig.lag"},
+                               {"spring.temperature", "rig.zero_drift"},
+                               {"drive.current_offset", "spring.deadzone"},
+                               {"spring.relaxation", "drive.load_friction"},
+                               {"drive.inertia", "spring.viscous"}};
 
 const std::vector<Names> triples{
     {"spring.viscous", "rig.delay", "drive.viscous"},
@@ -68,22 +108,32 @@ const std::vector<std::pair<std::string, Names>> poor{
      {"spring.viscous", "drive.viscous", "drive.inertia", "spring.relaxation", "rig.lag",
       "rig.inertia", "spring.hysteresis", "drive.coulomb"}},
     {"constant_speed",
-     {"drive.coulomb", "drive.viscous", "spring.viscous", "drive.load_friction",
-      "spring.asymmetry", "rig.gravity", "rig.zero_drift", "spring.relaxation"}}};
+     {"drive.coulomb", "drive.viscous", "spring.viscous", "drive.load_friction", "spring.asymmetry",
+      "rig.gravity", "rig.zero_drift", "spring.relaxation"}}};
 
 /// "adapted": the owner's numbers were fitted with the effect in. Otherwise the regime in which
 /// alone it shows.
 const std::vector<std::pair<std::string, std::string>> masked{
-    {"adapted", "spring.relaxation"},    {"adapted", "spring.temperature"},
-    {"adapted", "spring.mullins"},       {"adapted", "spring.viscous"},
-    {"adapted", "spring.cubic"},         {"adapted", "spring.hysteresis"},
-    {"adapted", "spring.asymmetry"},     {"adapted", "drive.load_friction"},
-    {"adapted", "drive.viscous"},        {"adapted", "rig.gravity"},
-    {"rare zero crossing", "spring.deadzone"}, {"rare zero crossing", "spring.asymmetry"},
-    {"one fast burst", "drive.inertia"}, {"one fast burst", "spring.viscous"},
-    {"one fast burst", "rig.inertia"},   {"one fast burst", "rig.lag"},
-    {"one large burst", "spring.cubic"}, {"one large burst", "spring.mullins"},
-    {"one slow stretch", "drive.stribeck"}, {"one slow stretch", "drive.ripple"}};
+    {"adapted", "spring.relaxation"},
+    {"adapted", "spring.temperature"},
+    {"adapted", "spring.mullins"},
+    {"adapted", "spring.viscous"},
+    {"adapted", "spring.cubic"},
+    {"adapted", "spring.hysteresis"},
+    {"adapted", "spring.asymmetry"},
+    {"adapted", "drive.load_friction"},
+    {"adapted", "drive.viscous"},
+    {"adapted", "rig.gravity"},
+    {"rare zero crossing", "spring.deadzone"},
+    {"rare zero crossing", "spring.asymmetry"},
+    {"one fast burst", "drive.inertia"},
+    {"one fast burst", "spring.viscous"},
+    {"one fast burst", "rig.inertia"},
+    {"one fast burst", "rig.lag"},
+    {"one large burst", "spring.cubic"},
+    {"one large burst", "spring.mullins"},
+    {"one slow stretch", "drive.stribeck"},
+    {"one slow stretch", "drive.ripple"}};
 
 void add(std::vector<Item>& items, int copies, const Item& like) {
   for (int i = 0; i < copies; ++i) items.push_back(like);
@@ -105,8 +155,10 @@ std::vector<Item> list_all() {
   for (const auto& [motion, effects] : poor)
     for (const auto& effect : effects)
       add(all, 1, {"", "poor", "poor", motion, {effect}, Strength::medium, 0});
-  for (const auto& effects : pairs) add(all, 1, {"", "pair", "pair", "", effects, Strength::obvious, 0});
-  for (const auto& effects : triples) add(all, 1, {"", "triple", "triple", "", effects, Strength::obvious, 0});
+  for (const auto& effects : pairs)
+    add(all, 1, {"", "pair", "pair", "", effects, Strength::obvious, 0});
+  for (const auto& effects : triples)
+    add(all, 1, {"", "triple", "triple", "", effects, Strength::obvious, 0});
   for (const auto& [variant, effect] : masked)
     add(all, 1, {"", "masked", "rare", variant, {effect}, Strength::obvious, 0});
   for (const auto& oddity : oddities)
@@ -121,7 +173,8 @@ std::vector<Item> plan_full(std::uint64_t seed) {
   Random random = Random(seed).fork("plan");
   for (auto& item : all) item.seed = random.bits();
   for (std::size_t i = all.size(); i > 1; --i)
-    std::swap(all[i - 1], all[static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1))]);
+    std::swap(all[i - 1],
+              all[static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1))]);
   for (std::size_t i = 0; i < all.size(); ++i) {
     char name[32];
     std::snprintf(name, sizeof name, "p%04zu", i);

@@ -20,7 +20,10 @@ double stribeck_shape(const std::string& form, double x) {
 class Stribeck final : public Torque {
  public:
   Stribeck(const Effect& e, double width_rad)
-      : form_(e.form), torque_nm_(e.at("torque_nm")), speed_(e.at("velocity_rad_s")), slip_(width_rad) {}
+      : form_(e.form),
+        torque_nm_(e.at("torque_nm")),
+        speed_(e.at("velocity_rad_s")),
+        slip_(width_rad) {}
 
   double advance(const Instant& now, double dt) override {
     const double w = now.input_velocity_rad_s;
@@ -49,7 +52,9 @@ class DryFriction final : public Torque {
 class LoadFriction final : public Torque {
  public:
   LoadFriction(const Effect& e, double width_rad)
-      : driving_(e.at("share")), back_(e.at_or("share_back_driving", e.at("share"))), slip_(width_rad) {}
+      : driving_(e.at("share")),
+        back_(e.at_or("share_back_driving", e.at("share"))),
+        slip_(width_rad) {}
 
   double advance(const Instant& now, double dt) override {
     const double torque = now.spring_torque_nm;
@@ -65,7 +70,8 @@ class LoadFriction final : public Torque {
 
 std::unique_ptr<Torque> ripple(const Effect& e) {
   const double a = e.at("torque_nm"), n = e.at("cycles_per_rad"), phase = e.at("phase_rad");
-  const double second = e.at_or("second_harmonic_share", 0.0), phase2 = e.at_or("second_phase_rad", 0.0);
+  const double second = e.at_or("second_harmonic_share", 0.0),
+               phase2 = e.at_or("second_phase_rad", 0.0);
   return formulated([=](const Instant& x) {
     const double angle = n * x.input_angle_rad + phase;
     return -a * (std::sin(angle) + second * std::sin(2.0 * angle + phase2));

@@ -8,11 +8,11 @@ namespace searig::proving {
 
 /// One piece of physics in the true rig that its owner does not simulate.
 struct Effect {
-  std::string name;                         ///< of the contract, or "no name: ..."
-  std::string form;                         ///< the mathematical form that the rig really has
+  std::string name;  ///< of the contract, or "no name: ..."
+  std::string form;  ///< the mathematical form that the rig really has
   std::map<std::string, double> parameters;
-  std::vector<std::string> amplitude;       ///< parameters that scale with its strength
-  std::vector<std::string> comparable;      ///< parameters that mean the same in the contract
+  std::vector<std::string> amplitude;   ///< parameters that scale with its strength
+  std::vector<std::string> comparable;  ///< parameters that mean the same in the contract
 
   double at(const std::string& key) const { return parameters.at(key); }
   double at_or(const std::string& key, double otherwise) const {
@@ -29,6 +29,8 @@ inline bool is_baseline_term(const std::string& name) {
   return name == "drive.coulomb" || name == "drive.viscous" || name == "drive.inertia";
 }
 
-inline bool is_nameless(const Effect& effect) { return effect.name.rfind("no name", 0) == 0; }
+inline bool is_nameless(const Effect& effect) {
+  return effect.name.rfind("no name", 0) == 0;
+}
 
 }  // namespace searig::proving

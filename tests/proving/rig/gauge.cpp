@@ -27,9 +27,11 @@ class Delay final : public Gauge {
 /// poles equal first-order low passes in a row, tau_s altogether.
 class LowPass final : public Gauge {
  public:
-  LowPass(double tau_s, int poles) : tau_s_(tau_s / poles), states_(static_cast<std::size_t>(poles), 0.0) {}
+  LowPass(double tau_s, int poles)
+      : tau_s_(tau_s / poles), states_(static_cast<std::size_t>(poles), 0.0) {}
   double advance(double torque, const Instant&, double dt) override {
-    for (double& state : states_) torque = state += (torque - state) * (1.0 - std::exp(-dt / tau_s_));
+    for (double& state : states_)
+      torque = state += (torque - state) * (1.0 - std::exp(-dt / tau_s_));
     return torque;
   }
 
@@ -59,7 +61,8 @@ class MovingAverage final : public Gauge {
 
 class ZeroDrift final : public Gauge {
  public:
-  ZeroDrift(double nm_per_min, double settles_s) : per_s_(nm_per_min / 60.0), settles_s_(settles_s) {}
+  ZeroDrift(double nm_per_min, double settles_s)
+      : per_s_(nm_per_min / 60.0), settles_s_(settles_s) {}
   double advance(double torque, const Instant& now, double) override {
     const double t = now.t_s;
     return torque + per_s_ * (settles_s_ > 0.0 ? -settles_s_ * std::expm1(-t / settles_s_) : t);

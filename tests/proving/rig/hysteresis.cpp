@@ -82,8 +82,10 @@ class Preisach final : public Torque {
   double advance(const Instant& now, double) override {
     double total = 0.0;
     for (auto& r : relays_) {
-      r.state = std::max(r.state, std::clamp((now.deflection_rad - r.up) / softness_rad_, -1.0, 1.0));
-      r.state = std::min(r.state, std::clamp((now.deflection_rad - r.down) / softness_rad_, -1.0, 1.0));
+      r.state =
+          std::max(r.state, std::clamp((now.deflection_rad - r.up) / softness_rad_, -1.0, 1.0));
+      r.state =
+          std::min(r.state, std::clamp((now.deflection_rad - r.down) / softness_rad_, -1.0, 1.0));
       total += r.weight * r.state;
     }
     return total;

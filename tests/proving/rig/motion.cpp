@@ -37,7 +37,9 @@ Shape multisine(double low_hz, double high_hz, int lines, Random& random) {
   };
 }
 
-double triangle(double cycles) { return 2.0 / std::numbers::pi * std::asin(std::sin(tau * cycles)); }
+double triangle(double cycles) {
+  return 2.0 / std::numbers::pi * std::asin(std::sin(tau * cycles));
+}
 
 Shape triangles_at_rates(double duration, std::vector<double> rates_hz) {
   return [=](double t) {
@@ -51,7 +53,8 @@ Shape held_levels(double duration, int count, Random& random) {
   std::vector<double> levels;
   for (int i = 0; i < count; ++i) levels.push_back((i % 2 ? 1 : -1) * random.uniform(0.25, 1.0));
   return [=](double t) {
-    return levels[std::min<std::size_t>(levels.size() - 1, static_cast<std::size_t>(t / duration * count))];
+    return levels[std::min<std::size_t>(levels.size() - 1,
+                                        static_cast<std::size_t>(t / duration * count))];
   };
 }
 

@@ -21,9 +21,9 @@ struct MotionPlan {
   std::vector<double> shares;         ///< of the time, one per segment; they sum to one
   double motor_amplitude_rad = 0.5;
   double hand_amplitude_rad = 0.3;
-  double pace = 1.0;                  ///< multiplies every frequency
-  double bias_rad = 0.0;              ///< motor minus hand: keeps the spring loaded on one side
-  double generator_hz = 3.0;          ///< of the trajectory generator that rounds every edge off
+  double pace = 1.0;          ///< multiplies every frequency
+  double bias_rad = 0.0;      ///< motor minus hand: keeps the spring loaded on one side
+  double generator_hz = 3.0;  ///< of the trajectory generator that rounds every edge off
 };
 
 /// Segments: multisine, triangles, staircase, chirp, hand, growing, rest, slow_triangle, sine,

@@ -13,7 +13,9 @@ double bump(double x, double centre, double width) {
   return std::exp(-0.5 * u * u);
 }
 
-bool within(double t, const Effect& e) { return t >= e.at("from_s") && t <= e.at("to_s"); }
+bool within(double t, const Effect& e) {
+  return t >= e.at("from_s") && t <= e.at("to_s");
+}
 
 /// Each time the torque changes sign the teeth cross their gap and hit: a short blow.
 class BacklashClick final : public Torque {
@@ -53,8 +55,8 @@ std::unique_ptr<Torque> make_odd_spring(const Effect& e, const Baseline& base) {
     return formulated([a = e.at("torque_nm"), at = e.at("centre_rad"), w = e.at("width_rad")](
                           const Instant& x) { return a * bump(x.deflection_rad, at, w); });
   if (e.form == "periodic_bearing_friction")  // a bent shaft drags once per n-th of a turn
-    return formulated([a = e.at("torque_nm"), n = e.at("cycles_per_rad"), s = e.at("smoothing_rad_s")](
-                          const Instant& x) {
+    return formulated([a = e.at("torque_nm"), n = e.at("cycles_per_rad"),
+                       s = e.at("smoothing_rad_s")](const Instant& x) {
       return a * std::sin(n * x.output_angle_rad) * std::tanh(x.deflection_rate_rad_s / s);
     });
   if (e.form == "plastic_yield")  // the spring takes a permanent set at one instant
@@ -66,18 +68,19 @@ std::unique_ptr<Torque> make_odd_spring(const Effect& e, const Baseline& base) {
 
 std::unique_ptr<Torque> make_odd_drive(const Effect& e, const Baseline& base) {
   if (e.form == "snag")  // one tooth is damaged: felt at one angle, in one direction
-    return formulated([a = e.at("torque_nm"), at = e.at("centre_rad"), w = e.at("width_rad")](
-                          const Instant& x) {
-      return x.input_velocity_rad_s > 0.0 ? -a * bump(x.input_angle_rad, at, w) : 0.0;
-    });
+    return formulated(
+        [a = e.at("torque_nm"), at = e.at("centre_rad"), w = e.at("width_rad")](const Instant& x) {
+          return x.input_velocity_rad_s > 0.0 ? -a * bump(x.input_angle_rad, at, w) : 0.0;
+        });
   if (e.form == "quadratic_drag")
     return formulated([c = e.at("nm_s2_per_rad2")](const Instant& x) {
       return -c * x.input_velocity_rad_s * std::abs(x.input_velocity_rad_s);
     });
   if (e.form == "speed_chatter")  // a resonance of the housing in one band of speed
-    return formulated([a = e.at("torque_nm"), v = e.at("centre_rad_s"), w = e.at("width_rad_s")](
-                          const Instant& x) {
-      return -a * bump(std::abs(x.input_velocity_rad_s), v, w) * (x.input_velocity_rad_s > 0 ? 1 : -1);
+    return formulated([a = e.at("torque_nm"), v = e.at("centre_rad_s"),
+                       w = e.at("width_rad_s")](const Instant& x) {
+      return -a * bump(std::abs(x.input_velocity_rad_s), v, w) *
+             (x.input_velocity_rad_s > 0 ? 1 : -1);
     });
   if (e.form == "backlash_click")
     return std::make_unique<BacklashClick>(e.at("torque_nm"), e.at("lasts_s"));

@@ -12,7 +12,9 @@ template <typename Formula>
 class FormulatedGauge final : public Gauge {
  public:
   explicit FormulatedGauge(Formula formula) : formula_(std::move(formula)) {}
-  double advance(double torque, const Instant& now, double) override { return formula_(torque, now); }
+  double advance(double torque, const Instant& now, double) override {
+    return formula_(torque, now);
+  }
 
  private:
   Formula formula_;
@@ -68,21 +70,24 @@ std::unique_ptr<Gauge> make_odd_gauge(const Effect& e) {
       return torque + (now.t_s >= from ? step : 0.0);
     });
   if (e.form == "saturation")  // one-sided: the amplifier runs into its rail
-    return gauge([peak = e.at("peak_nm"), depth = e.at("depth_share")](double torque, const Instant&) {
-      return std::min(torque, peak * (1.0 - depth));
-    });
+    return gauge(
+        [peak = e.at("peak_nm"), depth = e.at("depth_share")](double torque, const Instant&) {
+          return std::min(torque, peak * (1.0 - depth));
+        });
   if (e.form == "gain_fault")  // a corroded contact halves the bridge's supply for a while
     return gauge([=, share = e.at("share")](double torque, const Instant& now) {
       return torque * (1.0 - share * fade(now.t_s, from, to, 0.2));
     });
   if (e.form == "cable_tremor")  // a cable swings at its own frequency while it is touched
     return gauge([=, a = e.at("torque_nm"), hz = e.at("hz")](double torque, const Instant& now) {
-      return torque + a * fade(now.t_s, from, to, 1.0) * std::sin(2.0 * std::numbers::pi * hz * now.t_s);
+      return torque +
+             a * fade(now.t_s, from, to, 1.0) * std::sin(2.0 * std::numbers::pi * hz * now.t_s);
     });
   if (e.form == "missing_codes")  // within a band of torque the converter's low bits stick
     return gauge([=, low = e.at("low_nm"), high = e.at("high_nm"), code = e.at("code_nm")](
                      double torque, const Instant&) {
-      return torque > low && torque < high ? low + code * std::floor((torque - low) / code) : torque;
+      return torque > low && torque < high ? low + code * std::floor((torque - low) / code)
+                                           : torque;
     });
   return nullptr;
 }

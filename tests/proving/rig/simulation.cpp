@@ -33,7 +33,8 @@ struct Controller {
     damping = 1.4 * std::sqrt(stiffness * inertia);
   }
   double advance(const Generator& wanted, double angle, double velocity, double dt) {
-    const double torque = stiffness * (wanted.position - angle) + damping * (wanted.velocity - velocity);
+    const double torque =
+        stiffness * (wanted.position - angle) + damping * (wanted.velocity - velocity);
     current_a += (torque / torque_per_a - current_a) * std::min(1.0, dt / 1e-3);  // current loop
     return current_a;
   }
@@ -63,7 +64,8 @@ struct Mechanism {
       if (auto t = make_odd_spring(e, rig.base)) spring.push_back(std::move(t));
       if (auto t = make_drive_torque(e, rig.base)) drive.push_back(std::move(t));
       if (auto t = make_odd_drive(e, rig.base)) drive.push_back(std::move(t));
-      if (e.name == "rig.gravity") gravity_nm = e.at("torque_nm"), gravity_phase_rad = e.at("phase_rad");
+      if (e.name == "rig.gravity")
+        gravity_nm = e.at("torque_nm"), gravity_phase_rad = e.at("phase_rad");
       if (e.name == "rig.inertia") lever_inertia_kg_m2 = e.at("j_kg_m2");
     }
     // A load cell wanders and breaks before its reading is filtered and sent late.
@@ -84,7 +86,8 @@ void warm(const Thermal& thermal, Instant& now, double ambient_c, double lost_w,
 }  // namespace
 
 double Trace::at(const Channel& channel, double t_s) const {
-  const double x = std::clamp((t_s - start_s) * rate_hz, 0.0, static_cast<double>(channel.size() - 2));
+  const double x =
+      std::clamp((t_s - start_s) * rate_hz, 0.0, static_cast<double>(channel.size() - 2));
   const auto i = static_cast<std::size_t>(x);
   return channel[i] + (x - static_cast<double>(i)) * (channel[i + 1] - channel[i]);
 }
@@ -126,14 +129,16 @@ Trace simulate(const Rig& rig) {
 
     // (j_hand + j_lever)*a_o = T_spring - gravity - hand's impedance
     const double gravity = parts.gravity_nm * std::sin(output.angle + parts.gravity_phase_rad);
-    const double held = hand.stiffness_nm_per_rad * (output.angle - wanted_hand.position) +
-                        hand.damping_nm_s_per_rad * (now.output_velocity_rad_s - wanted_hand.velocity);
-    const double a_o = (now.spring_torque_nm - gravity - held) /
-                       (hand.inertia_kg_m2 + parts.lever_inertia_kg_m2);
+    const double held =
+        hand.stiffness_nm_per_rad * (output.angle - wanted_hand.position) +
+        hand.damping_nm_s_per_rad * (now.output_velocity_rad_s - wanted_hand.velocity);
+    const double a_o =
+        (now.spring_torque_nm - gravity - held) / (hand.inertia_kg_m2 + parts.lever_inertia_kg_m2);
     double reading = now.spring_torque_nm - gravity - parts.lever_inertia_kg_m2 * a_o;
     for (const auto& gauge : parts.gauges) reading = gauge->advance(reading, now, dt);
 
-    const double ambient = rig.thermal.start_c + rig.thermal.ambient_drift_c_per_min * t_motion / 60.0;
+    const double ambient =
+        rig.thermal.start_c + rig.thermal.ambient_drift_c_per_min * t_motion / 60.0;
     warm(rig.thermal, now, ambient, std::abs(now.spring_torque_nm * now.deflection_rate_rad_s), dt);
 
     const double q_i = input.angle, q_o = output.angle;

@@ -13,7 +13,8 @@ std::unique_ptr<Torque> viscous(const Effect& e) {
   const double c = e.at("c_nm_s_per_rad");
   if (e.form == "newton")
     return formulated([=](const Instant& x) { return c * x.deflection_rate_rad_s; });
-  return make_maxwell_branches({{c / e.at("tau_s"), e.at("tau_s")}});  // a dashpot behind a stiff spring
+  return make_maxwell_branches(
+      {{c / e.at("tau_s"), e.at("tau_s")}});  // a dashpot behind a stiff spring
 }
 
 std::unique_ptr<Torque> cubic(const Effect& e) {
@@ -28,13 +29,16 @@ std::unique_ptr<Torque> cubic(const Effect& e) {
   });
 }
 
-double softplus(double x) { return x > 30.0 ? x : std::log1p(std::exp(x)); }
+double softplus(double x) {
+  return x > 30.0 ? x : std::log1p(std::exp(x));
+}
 
 /// Play whose flanks meet softly: what the spring feels is theta outside +-h, rounded over s.
 std::unique_ptr<Torque> deadzone(const Effect& e, double k) {
   return formulated([k, h = e.at("half_width_rad"), edge = e.at("edge_share")](const Instant& x) {
     const double s = edge * h;
-    const double felt = s * (softplus((x.deflection_rad - h) / s) - softplus((-x.deflection_rad - h) / s));
+    const double felt =
+        s * (softplus((x.deflection_rad - h) / s) - softplus((-x.deflection_rad - h) / s));
     return k * (felt - x.deflection_rad);
   });
 }

@@ -8,7 +8,9 @@ namespace searig::proving {
 struct DeviceClock {
   double rate_error_ppm = 0.0, offset_s = 0.0, resolution_s = 1e-6;
   double stamp(double t_true_s) const;
-  double reads(double t_true_s) const { return t_true_s * (1.0 + rate_error_ppm * 1e-6) + offset_s; }
+  double reads(double t_true_s) const {
+    return t_true_s * (1.0 + rate_error_ppm * 1e-6) + offset_s;
+  }
   double true_time(double t_device_s) const {
     return (t_device_s - offset_s) / (1.0 + rate_error_ppm * 1e-6);
   }
@@ -16,12 +18,12 @@ struct DeviceClock {
 
 /// The way from a device to the host's stamp.
 struct LinkPlan {
-  double least_s = 3e-4;       ///< nothing arrives sooner
-  double jitter_s = 2e-4;      ///< mean of an exponential on top
-  double usb_timer_s = 0.0;    ///< the adapter hands over only when its timer fires
-  double stall_chance = 0.0;   ///< per sample
-  double stall_s = 0.0;        ///< how long the host looks away, at most
-  double loss_chance = 0.0;    ///< per sample, in bursts of one to four
+  double least_s = 3e-4;      ///< nothing arrives sooner
+  double jitter_s = 2e-4;     ///< mean of an exponential on top
+  double usb_timer_s = 0.0;   ///< the adapter hands over only when its timer fires
+  double stall_chance = 0.0;  ///< per sample
+  double stall_s = 0.0;       ///< how long the host looks away, at most
+  double loss_chance = 0.0;   ///< per sample, in bursts of one to four
 };
 
 /// Host stamps in order of arrival, whatever the delays.

@@ -11,7 +11,8 @@ LoadcellNoise::LoadcellNoise(const NoisePlan& plan, double torque_rms_nm, Random
   if (kind.starts_with("ar")) memory_ = std::stod(kind.substr(2));
   if (kind == "hum") {
     hum_share_ = 0.6;
-    hum_hz_ = 50.0 * (1.0 + random_.uniform(-1.5e-3, 1.5e-3));  // the grid, sampled without a filter
+    hum_hz_ =
+        50.0 * (1.0 + random_.uniform(-1.5e-3, 1.5e-3));  // the grid, sampled without a filter
     hum_phase_rad_ = random_.uniform(0.0, 2.0 * std::numbers::pi);
   }
   if (kind == "loud_when_loaded") loaded_share_ = 1.0;

@@ -9,7 +9,8 @@ namespace searig::proving {
 /// What the load cell and the current sensor add to the truth.
 struct NoisePlan {
   double loadcell_rms_nm = 0.01;
-  std::string loadcell_kind = "white";  ///< white, ar0.6, ar0.9, ar0.97, hum, loud_when_loaded, outliers
+  std::string loadcell_kind =
+      "white";  ///< white, ar0.6, ar0.9, ar0.97, hum, loud_when_loaded, outliers
   double current_rms_a = 0.02;
   double temperature_rms_c = 0.1;
 };

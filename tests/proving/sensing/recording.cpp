@@ -8,12 +8,15 @@
 namespace searig::proving {
 namespace {
 
-double quantised(double value, double step) { return step > 0.0 ? std::round(value / step) * step : value; }
+double quantised(double value, double step) {
+  return step > 0.0 ? std::round(value / step) * step : value;
+}
 
 /// Encoders interpolate between lines, not quite evenly, before they count.
 double encoder(double angle, const Sensing& s) {
   const double period = 8.0 * s.angle_step_rad;
-  const double uneven = s.interpolation_error_rad * std::sin(2.0 * std::numbers::pi * angle / period);
+  const double uneven =
+      s.interpolation_error_rad * std::sin(2.0 * std::numbers::pi * angle / period);
   return quantised(angle + uneven, s.angle_step_rad);
 }
 
@@ -31,7 +34,8 @@ std::vector<ModuleRow> observe_module(const Trace& trace, const Rig& rig, const 
     for (const auto& e : rig.effects)
       if (is_nameless(e)) apply_odd_sensor(e, r);
     r.current_a += (offset ? offset->at("offset_a") : 0.0) + s.noise.current_rms_a * noise.normal();
-    const double winding = trace.at(trace.winding_c, t) + s.noise.temperature_rms_c * noise.normal();
+    const double winding =
+        trace.at(trace.winding_c, t) + s.noise.temperature_rms_c * noise.normal();
     const double spring = trace.at(trace.spring_c, t) + s.noise.temperature_rms_c * noise.normal();
     const double host = link.arrival(t);
     if (link.lost()) continue;

@@ -33,12 +33,18 @@ json located_in(const Case& c) {
 
 const char* name_of(Strength strength) {
   switch (strength) {
-    case Strength::faint: return "faint";
-    case Strength::weak: return "weak";
-    case Strength::medium: return "medium";
-    case Strength::strong: return "strong";
-    case Strength::obvious: return "obvious";
-    default: return "none";
+    case Strength::faint:
+      return "faint";
+    case Strength::weak:
+      return "weak";
+    case Strength::medium:
+      return "medium";
+    case Strength::strong:
+      return "strong";
+    case Strength::obvious:
+      return "obvious";
+    default:
+      return "none";
   }
 }
 
@@ -51,7 +57,9 @@ json answer_for(const Case& c) {
     forms[e.name] = e.form;
     for (const auto& key : e.comparable) comparable.push_back(e.name + "." + key);
   }
-  const auto path = [](const BeforeAfter& p) { return json{{"before", p.before}, {"after", p.after}}; };
+  const auto path = [](const BeforeAfter& p) {
+    return json{{"before", p.before}, {"after", p.after}};
+  };
   const DeviceClock &module = c.sensing.module_clock, &loadcell = c.sensing.loadcell_clock;
   return {{"effects", effects},
           {"level", c.item.level},
@@ -62,7 +70,8 @@ json answer_for(const Case& c) {
             {"loadcell_rate_error_ppm", loadcell.rate_error_ppm},
             {"loadcell_offset_s", loadcell.offset_s}}},
           {"rho", c.concealed.empty() ? 0.0 : c.reachable.rho()},
-          {"reachable_rmse_nm", {{"spring", path(c.reachable.spring)}, {"drive", path(c.reachable.drive)}}},
+          {"reachable_rmse_nm",
+           {{"spring", path(c.reachable.spring)}, {"drive", path(c.reachable.drive)}}},
           {"stratum", c.item.stratum},
           {"variant", c.item.variant},
           {"strength", name_of(c.item.strength)},

@@ -36,7 +36,8 @@ void locate_regime(const Rig& rig, const std::string& variant, Located& out) {
   if (variant == "one slow stretch") segment = "slow_sweep";
   if (segment.empty()) return;
   const auto [from, to] = segment_interval(rig.plan, segment, rig.duration_s + rig.preroll_s);
-  out.intervals_s.emplace_back(std::max(0.0, from - rig.preroll_s), std::min(rig.duration_s, to - rig.preroll_s));
+  out.intervals_s.emplace_back(std::max(0.0, from - rig.preroll_s),
+                               std::min(rig.duration_s, to - rig.preroll_s));
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ double held_out_rms(const Problem& p, double duration_s) {
   for (int b = 0; b < blocks; ++b) {
     Vector weight(p.y.size());
     for (Eigen::Index i = 0; i < p.y.size(); ++i)
-      weight[i] = static_cast<int>(p.t_s[static_cast<std::size_t>(i)] / duration_s * blocks) == b ? 0 : 1;
+      weight[i] =
+          static_cast<int>(p.t_s[static_cast<std::size_t>(i)] / duration_s * blocks) == b ? 0 : 1;
     const Vector fit = solve(weight.asDiagonal() * p.x, weight.asDiagonal() * p.y);
     const Vector left = (Vector::Ones(weight.size()) - weight).asDiagonal() * (p.y - p.x * fit);
     squares += left.squaredNorm();
@@ -63,14 +64,16 @@ ModuleReading sensor_error(const Trace& trace, const Rig& rig, double t) {
   for (const auto& e : rig.effects)
     if (is_nameless(e)) apply_odd_sensor(e, r);
   const Effect* offset = rig.find("drive.current_offset");
-  return {t, r.input_angle_rad - q_i, 0.0, r.current_a - i + (offset ? offset->at("offset_a") : 0.0)};
+  return {t, r.input_angle_rad - q_i, 0.0,
+          r.current_a - i + (offset ? offset->at("offset_a") : 0.0)};
 }
 
 /// The torque that the owner's drive equation would give if its numbers were true.
 double owned_drive_torque(const Trace& trace, const Rig& rig, const Concealed& hidden, double t) {
   const Baseline& b = rig.base;
   double torque = b.efficiency * b.torque_constant_nm_per_a * trace.at(trace.current_a, t);
-  if (!hidden.inertia) torque -= b.efficiency * b.inertia_kg_m2 * trace.at(trace.input_acceleration_rad_s2, t);
+  if (!hidden.inertia)
+    torque -= b.efficiency * b.inertia_kg_m2 * trace.at(trace.input_acceleration_rad_s2, t);
   if (!hidden.coulomb) torque += trace.at(trace.coulomb_nm, t);
   if (!hidden.viscous) torque -= b.viscous_nm_s_per_rad * trace.at(trace.input_velocity_rad_s, t);
   return torque;
@@ -100,7 +103,8 @@ Measured at_loadcell_times(const Recording& r, const Rig& rig, const Sensing& s)
   return out;
 }
 
-Problem select(const Matrix& x, const Vector& y, const std::vector<double>& t, const std::vector<bool>& keep) {
+Problem select(const Matrix& x, const Vector& y, const std::vector<double>& t,
+               const std::vector<bool>& keep) {
   const auto rows = std::count(keep.begin(), keep.end(), true);
   Problem p{Matrix(rows, x.cols()), Vector(rows), {}};
   Eigen::Index n = 0;
@@ -127,7 +131,9 @@ Concealed Concealed::from(const std::vector<Effect>& effects) {
 
 double Reachable::rho() const {
   const auto over = [](const BeforeAfter& p) {
-    return p.after > 0.0 ? std::sqrt(std::max(0.0, p.before * p.before - p.after * p.after)) / p.after : 0.0;
+    return p.after > 0.0
+               ? std::sqrt(std::max(0.0, p.before * p.before - p.after * p.after)) / p.after
+               : 0.0;
   };
   return std::max(over(spring), over(drive));
 }
@@ -144,11 +150,12 @@ Reachable reachable(const Trace& trace, const Rig& rig, const Sensing& sensing,
     const double t = m.t_s[n], true_reading = trace.at(trace.loadcell_torque_nm, t);
     const ModuleReading fault = sensor_error(trace, rig, t);
     spring.row(i) << m.deflection.value[n], 1.0;
-    drive.row(i) = drive_regressors(m.current.value[n], m.input.acceleration[n], m.input.rate[n], rig, hidden);
+    drive.row(i) =
+        drive_regressors(m.current.value[n], m.input.acceleration[n], m.input.rate[n], rig, hidden);
     moving[n] = std::abs(m.input.rate[n]) > moving_rad_s;
     y[i] = m.torque_nm[n];
-    const double linear = trace.at(trace.linear_torque_nm, t) +
-                          rig.base.stiffness_nm_per_rad * fault.input_angle_rad;
+    const double linear =
+        trace.at(trace.linear_torque_nm, t) + rig.base.stiffness_nm_per_rad * fault.input_angle_rad;
     spring_after[i] = y[i] - true_reading + linear;
     drive_before[i] = y[i] - sensing.loadcell_offset_nm;  // a number: the owner can weigh nothing
     drive_after[i] = drive_before[i] - true_reading + owned_drive_torque(trace, rig, hidden, t) +
@@ -181,7 +188,9 @@ double visible_strength(const Trace& trace, const Rig& rig, const Recording& rec
     const double t = times[static_cast<std::size_t>(i)];
     const ModuleReading fault = sensor_error(trace, rig, t);
     const double reading = trace.at(trace.loadcell_torque_nm, t), h = 2e-3;
-    const double slope = (trace.at(trace.loadcell_torque_nm, t + h) - trace.at(trace.loadcell_torque_nm, t - h)) / (2 * h);
+    const double slope =
+        (trace.at(trace.loadcell_torque_nm, t + h) - trace.at(trace.loadcell_torque_nm, t - h)) /
+        (2 * h);
     const double one = 1.0 / floor.spring.after, two = 1.0 / floor.drive.after;
     const double theta = trace.at(trace.input_angle_rad, t) - trace.at(trace.output_angle_rad, t);
     x(i, 0) = one * (theta + fault.input_angle_rad), x(i, 1) = one;
@@ -189,8 +198,10 @@ double visible_strength(const Trace& trace, const Rig& rig, const Recording& rec
     const double w = trace.at(trace.input_velocity_rad_s, t);
     if (std::abs(w) < moving_rad_s) continue;
     moving += 1.0;
-    x.row(rows + i).tail(4) = two * drive_regressors(trace.at(trace.current_a, t) + fault.current_a,
-                                                     trace.at(trace.input_acceleration_rad_s2, t), w, rig, hidden).transpose();
+    x.row(rows + i).tail(4) =
+        two * drive_regressors(trace.at(trace.current_a, t) + fault.current_a,
+                               trace.at(trace.input_acceleration_rad_s2, t), w, rig, hidden)
+                  .transpose();
     y[rows + i] = two * reading, shift[rows + i] = two * slope;
   }
   Matrix with_shift(2 * rows, 7);

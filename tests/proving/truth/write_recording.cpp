@@ -46,13 +46,15 @@ void write_model(const Case& c, const fs::path& path) {
   const Baseline& b = c.believed;
   const Concealed hidden = Concealed::from(c.concealed);
   std::FILE* f = file.get();
-  std::fprintf(f, "format = \"searig-model/1\"\n\n[spring.linear]\nk_nm_per_rad = %.6g\n", b.stiffness_nm_per_rad);
+  std::fprintf(f, "format = \"searig-model/1\"\n\n[spring.linear]\nk_nm_per_rad = %.6g\n",
+               b.stiffness_nm_per_rad);
   std::fprintf(f, "\n[drive.motor]\ntorque_constant_nm_per_a = %.6g\nefficiency = %.17g\n",
                b.torque_constant_nm_per_a, b.efficiency);
   if (!hidden.inertia) std::fprintf(f, "\n[drive.inertia]\nj_kg_m2 = %.6g\n", b.inertia_kg_m2);
   if (!hidden.coulomb)
     std::fprintf(f, "\n[drive.coulomb]\ntorque_nm = %.6g\nsmoothing_rad_s = 0.01\n", b.coulomb_nm);
-  if (!hidden.viscous) std::fprintf(f, "\n[drive.viscous]\nb_nm_s_per_rad = %.6g\n", b.viscous_nm_s_per_rad);
+  if (!hidden.viscous)
+    std::fprintf(f, "\n[drive.viscous]\nb_nm_s_per_rad = %.6g\n", b.viscous_nm_s_per_rad);
 }
 
 }  // namespace
@@ -61,10 +63,11 @@ void write_recording(const Case& c, const fs::path& folder) {
   fs::create_directories(folder);
   {
     const File file = open(folder / "recording.toml");
-    std::fprintf(file.get(),
-                 "format = \"searig-recording/1\"\n\n[module]\nfile = \"module.csv\"\ngear_ratio = %.1f\n\n"
-                 "[loadcell]\nfile = \"loadcell.csv\"\nlever_arm_m = %.2f\n",
-                 c.rig.base.gear_ratio, c.rig.base.lever_arm_m);
+    std::fprintf(
+        file.get(),
+        "format = \"searig-recording/1\"\n\n[module]\nfile = \"module.csv\"\ngear_ratio = %.1f\n\n"
+        "[loadcell]\nfile = \"loadcell.csv\"\nlever_arm_m = %.2f\n",
+        c.rig.base.gear_ratio, c.rig.base.lever_arm_m);
   }
   write_module(c, folder / "module.csv");
   write_loadcell(c, folder / "loadcell.csv");
