@@ -1,0 +1,101 @@
+#include "estimator/evaluation/evaluation.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "estimator/evaluation/online_result.h"
+#include "estimator/model/predict.h"
+
+namespace searig::estimator {
+
+namespace {
+
+// The load-cell samples that the module's telemetry covers.
+Signals within_telemetry(Signals signals) {
+  auto& [t, torque] = signals.loadcell;
+  const auto& module_t = signals.module.t_s;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < t.size() && !module_t.empty(); ++i) {
+    if (t[i] < module_t.front() || t[i] > module_t.back() || !std::isfinite(torque[i])) continue;
+    t[kept] = t[i];
+    torque[kept++] = torque[i];
+  }
+  t.resize(kept);
+  torque.resize(kept);
+  return signals;
+}
+
+void check(const Signals& signals) {
+  if (signals.module.t_s.size() < 5) {
+    throw std::invalid_argument("the recording holds fewer than five samples of the module");
+  }
+  if (signals.loadcell.t_s.size() < 5) {
+    throw std::invalid_argument(
+        "fewer than five load-cell samples lie within the module's telemetry");
+  }
+  if (signals.module.deflection_rad.empty() && signals.module.current_a.empty()) {
+    throw std::invalid_argument(
+        "the module has neither deflection nor current: nothing to hold against the load cell");
+  }
+}
+
+std::optional<BestFit> best_fit(const Signals& signals) {
+  const auto theta =
+      sample_at(signals.module.t_s, signals.module.deflection_rad, signals.loadcell.t_s);
+  const Line line = fit_line(theta, signals.loadcell.torque_nm);
+  if (!std::isfinite(line.slope)) return std::nullopt;
+  std::vector<double> estimate(theta.size());
+  for (std::size_t i = 0; i < theta.size(); ++i) estimate[i] = line.slope * theta[i] + line.offset;
+  return BestFit{line.slope, line.offset, score(estimate, signals.loadcell.torque_nm)};
+}
+
+CurrentResult motor_current(const Signals& signals, const DriveTorque& drive) {
+  auto estimate = sample_at(signals.module.t_s, drive.nm, signals.loadcell.t_s);
+  for (double& torque : estimate) torque += drive.offset_nm;
+  return {drive.gain_nm_per_a, drive.offset_nm, score(estimate, signals.loadcell.torque_nm)};
+}
+
+void evaluate_spring(const Signals& signals, Evaluation& out) {
+  if (signals.module.deflection_rad.empty()) {
+    out.notes.push_back("no deflection: best fit and online estimate are switched off");
+    return;
+  }
+  out.best_fit = best_fit(signals);
+  if (!out.best_fit) {
+    out.notes.push_back("the deflection never changes: best fit is switched off");
+  } else if (out.best_fit->k_nm_per_rad <= 0) {
+    out.notes.push_back(
+        "the measured torque falls as the deflection grows: one of their signs is wrong, which "
+        "scale = -1 in recording.toml mends");
+  }
+}
+
+void evaluate_current(const Signals& signals, const DriveTorque& drive, Evaluation& out) {
+  if (signals.module.current_a.empty()) {
+    out.notes.push_back("no motor current: motor current and online estimate are switched off");
+  } else if (drive.nm.empty()) {
+    out.notes.push_back("the motor current never changes: it cannot be held against the load cell");
+  } else {
+    out.drive_from = drive.from;
+    out.drive_independent = !drive.fitted;
+    out.current = motor_current(signals, drive);
+  }
+}
+
+}  // namespace
+
+Evaluation evaluate(const Signals& recorded, const Model* model, const EvaluationOptions& options) {
+  const Signals signals = within_telemetry(recorded);
+  check(signals);
+  const DriveTorque drive = drive_torque(signals, model, options.drive);
+  Evaluation out;
+  out.seconds = signals.module.t_s.back() - signals.module.t_s.front();
+  evaluate_spring(signals, out);
+  evaluate_current(signals, drive, out);
+  if (!signals.module.deflection_rad.empty() && !drive.nm.empty()) {
+    out.online = follow_online(signals, model, drive, options, out.best_fit, out.notes);
+  }
+  return out;
+}
+
+}  // namespace searig::estimator

@@ -1,0 +1,67 @@
+// The paper's Table I for one recording: best fit, online estimate and motor current against the
+// load cell.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "estimator/evaluation/drive_torque.h"
+#include "estimator/evaluation/score.h"
+#include "estimator/filter/online_stiffness.h"
+#include "estimator/model/model.h"
+#include "estimator/signals.h"
+
+namespace searig::estimator {
+
+struct EvaluationOptions {
+  std::optional<double> initial_k_nm_per_rad;  ///< of the online estimate; otherwise a good one
+  DriveTerms drive = DriveTerms::model;
+  bool exactly_as_the_paper =
+      false;  ///< gamma, alpha and beta as printed, for a module of any size
+};
+
+/// The least-squares line of measured torque on deflection: what no online method knows.
+struct BestFit {
+  double k_nm_per_rad;
+  double offset_nm;  ///< of the load cell or of the deflection
+  Score score;
+};
+
+/// When the online estimate came within 5 % of the best fit for good.
+struct Convergence {
+  double after_s;         ///< from the start of the recording
+  double trust_weight_s;  ///< the sum of trust weight times time until then
+};
+
+struct OnlineResult {
+  double initial_k_nm_per_rad;
+  double k_nm_per_rad;    ///< the last
+  Score score;            ///< of k theta, with the k of that moment
+  double trust_weight_s;  ///< the sum of trust weight times time over the recording
+  std::optional<Convergence> convergence;
+  std::vector<OnlineEstimate> track;  ///< the estimate at every telemetry sample
+};
+
+struct CurrentResult {
+  double gain_nm_per_a;  ///< efficiency * torque constant
+  double offset_nm;      ///< where the gain was fitted, of the load cell; else 0
+  Score score;
+};
+
+struct Evaluation {
+  double seconds = 0;  ///< of the module's telemetry
+  std::optional<BestFit> best_fit;
+  std::optional<OnlineResult> online;
+  std::optional<CurrentResult> current;
+  std::string drive_from;          ///< what the drive torque was made of
+  bool drive_independent = false;  ///< of the load cell
+  std::vector<std::string> notes;  ///< what was switched off and why; one sentence each
+};
+
+/// All errors are taken at the load cell's own samples, of those within the module's telemetry.
+/// Throws std::invalid_argument with one sentence where there is nothing to compare with.
+Evaluation evaluate(const Signals& signals, const Model* model = nullptr,
+                    const EvaluationOptions& options = {});
+
+}  // namespace searig::estimator
