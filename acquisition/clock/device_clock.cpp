@@ -43,7 +43,7 @@ std::size_t missing_in_gaps(std::span<const double> t) {
 double wrap_length(double before, double after, double step) {
   const double near = std::max(1.0, 50.0 * step);
   for (const double wrap : kWraps)
-    for (const double begin : {0.0, -wrap})  // unsigned counters, and signed ones
+    for (const double begin : {0.0, -0.5 * wrap})  // unsigned counters, and signed ones
       if (near < 0.1 * wrap && before > begin + wrap - near && before < begin + wrap + step &&
           after >= begin && after < begin + near)
         return wrap;

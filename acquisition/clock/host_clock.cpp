@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acquisition/clock/host_timer.h"
+
 namespace searig::acquisition {
 namespace {
+
+/// The line touches two arrivals; by this many further ones the floor shows how thin it is.
+constexpr double kNextToFloor = 8.0;
 
 std::vector<double> delays(std::span<const double> t_s, std::span<const double> host_s) {
   std::vector<double> delay(t_s.size());
@@ -19,16 +24,20 @@ double quantile(std::vector<double>& values, double share) {
   return *place;
 }
 
-/// Fills in how far the arrivals lie above the line.
-HostLine judged(const Line& line, std::span<const double> t_s, std::span<const double> delay) {
+/// Fills in how far the arrivals lie above the line, and lowers it by half the wait unseen.
+HostLine judged(Line line, std::span<const double> t_s, std::span<const double> host_s,
+                std::span<const double> delay) {
   std::vector<double> above(t_s.size());
   for (std::size_t i = 0; i < t_s.size(); ++i) above[i] = delay[i] - line(t_s[i]);
   HostLine fit;
-  fit.delay = line;
   fit.seconds = t_s.back() - t_s.front();
   fit.rows = t_s.size();
   fit.median_s = quantile(above, 0.5);
   fit.lowest_percent_s = quantile(above, 0.01);
+  fit.floor_s = quantile(above, std::min(1.0, kNextToFloor / static_cast<double>(above.size())));
+  if (heard_at_ticks(t_s, host_s)) fit.unseen_wait_s = unseen_wait(above, kUsbTimer);
+  line.value -= 0.5 * fit.unseen_wait_s;
+  fit.delay = line;
   return fit;
 }
 
@@ -57,14 +66,12 @@ std::size_t longest_run(const Stream& stream) {
 }
 
 double HostLine::ci95_s() const {
-  // Exponential latencies above a floor lie median/ln 2/rows apart near it; the line touches two
-  // of them, and its middle lies a few such spacings too high.
-  return halves_apart_s + 6.0 * median_s / static_cast<double>(rows);
+  return halves_apart_s + floor_s + 0.5 * unseen_wait_s;
 }
 
 HostLine fit_host_line(std::span<const double> t_s, std::span<const double> host_s) {
   const std::vector<double> delay = delays(t_s, host_s);
-  HostLine fit = judged(line_under(t_s, delay), t_s, delay);
+  HostLine fit = judged(line_under(t_s, delay), t_s, host_s, delay);
   const std::size_t half = t_s.size() / 2;
   if (half < 2) return fit;
   const std::span<const double> all(delay);
@@ -76,7 +83,8 @@ HostLine fit_host_line(std::span<const double> t_s, std::span<const double> host
 
 HostLine fit_host_line(std::span<const double> t_s, std::span<const double> host_s, double slope) {
   const std::vector<double> delay = delays(t_s, host_s);
-  return judged(line_under(t_s, delay, slope, 0.5 * (t_s.front() + t_s.back())), t_s, delay);
+  return judged(line_under(t_s, delay, slope, 0.5 * (t_s.front() + t_s.back())), t_s, host_s,
+                delay);
 }
 
 }  // namespace searig::acquisition

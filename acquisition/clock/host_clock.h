@@ -31,17 +31,20 @@ std::size_t longest_run(const Stream& stream);
 /// delay being a line below every arrival. It still holds the fixed part of the latency.
 struct HostLine {
   Line delay;
-  double seconds = 0.0;         ///< length of the run
-  std::size_t rows = 0;         ///< how many arrivals it rests on
-  double halves_apart_s = 0.0;  ///< how far the lines of its two halves differ at its middle
-  double lowest_percent_s = 0;  ///< how far above the line one arrival in a hundred lies
-  double median_s = 0.0;        ///< and the middle one
+  double seconds = 0.0;           ///< length of the run
+  std::size_t rows = 0;           ///< how many arrivals it rests on
+  double halves_apart_s = 0.0;    ///< how far the lines of its two halves differ at its middle
+  double floor_s = 0.0;           ///< how far above the line the arrivals next to it lie
+  double lowest_percent_s = 0.0;  ///< and one arrival in a hundred
+  double median_s = 0.0;          ///< and the middle one
+  double unseen_wait_s = 0.0;     ///< see host_timer.h; half of it is taken off the line
 
   double host(double t_s) const { return t_s + delay(t_s); }
   double rate() const { return 1.0 + delay.slope; }
 
   /// Half width of the 95 % interval of the line at the middle of the run, without the latency's
-  /// fixed part: what its halves disagree by, and the spacing of arrivals near the floor.
+  /// fixed part: what its halves disagree by, how thin the arrivals lie near the floor, and what
+  /// was not seen of the wait for the host's timer.
   double ci95_s() const;
 };
 
