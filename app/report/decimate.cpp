@@ -12,7 +12,7 @@ struct Column {
 
   explicit Column(std::size_t i) : first(i), lowest(i), highest(i), last(i) {}
 
-  void add(std::size_t i, std::span<const double> y) {
+  void add(std::size_t i, const std::vector<double>& y) {
     if (y[i] < y[lowest]) lowest = i;
     if (y[i] > y[highest]) highest = i;
     last = i;
@@ -28,13 +28,14 @@ struct Column {
 
 }  // namespace
 
-std::vector<std::size_t> decimate(std::span<const double> x, std::span<const double> y, double low,
-                                  double high, std::size_t columns) {
+std::vector<std::size_t> decimate(const std::vector<double>& x, const std::vector<double>& y,
+                                  double low, double high, std::size_t columns) {
   std::vector<std::size_t> out;
   const std::size_t size = std::min(x.size(), y.size());
   if (size == 0 || columns == 0 || !(high > low)) return out;
-  const auto begin_at = std::lower_bound(x.begin(), x.begin() + size, low) - x.begin();
-  const auto end_at = std::upper_bound(x.begin() + begin_at, x.begin() + size, high) - x.begin();
+  const auto stop = x.begin() + static_cast<std::ptrdiff_t>(size);
+  const auto begin_at = std::lower_bound(x.begin(), stop, low) - x.begin();
+  const auto end_at = std::upper_bound(x.begin() + begin_at, stop, high) - x.begin();
   const std::size_t begin = begin_at > 0 ? static_cast<std::size_t>(begin_at) - 1 : 0;
   const std::size_t end = std::min(size, static_cast<std::size_t>(end_at) + 1);
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace searig::app {
@@ -11,7 +10,7 @@ namespace searig::app {
 /// pixels wide: of each pixel column the first, the lowest, the highest and the last point, and
 /// one point beyond each end so that the line leaves the picture. Points that are not finite stay,
 /// so that they break the line. At most 4 * columns + 2 finite points come back.
-std::vector<std::size_t> decimate(std::span<const double> x, std::span<const double> y, double low,
-                                  double high, std::size_t columns);
+std::vector<std::size_t> decimate(const std::vector<double>& x, const std::vector<double>& y,
+                                  double low, double high, std::size_t columns);
 
 }  // namespace searig::app

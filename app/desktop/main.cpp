@@ -1,0 +1,123 @@
+// searig-desktop: the window. Exit 0 done, 1 the work failed, 2 wrong use.
+#include <CLI/CLI.hpp>
+#include <QApplication>
+#include <QFontDatabase>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "app/desktop/main_window.h"
+#include "app/desktop/theme.h"
+
+namespace {
+
+using namespace searig::app::desktop;
+
+struct Options {
+  std::string recording;
+  bool live = false;
+  double seconds = 20.0;
+  bool offscreen = false;
+  std::string screenshot;
+  std::string layout;
+  std::string theme = "system";
+  int width = 1280, height = 800;
+};
+
+void describe(CLI::App& app, Options& options) {
+  app.set_version_flag("--version", SEARIG_VERSION);
+  app.footer(
+      "Examples:\n  searig-desktop recordings/r001\n"
+      "  searig-desktop --live\n"
+      "  searig-desktop --live --seconds 30 --offscreen --screenshot window.png");
+  auto* recording = app.add_option("RECORDING", options.recording, "Recording folder to open");
+  app.add_flag("--live", options.live, "Start the simulated rig")->excludes(recording);
+  app.add_option("--seconds", options.seconds,
+                 "With --live and --screenshot: how much of the experiment has passed")
+      ->check(CLI::Range(0.0, 3600.0));
+  app.add_flag("--offscreen", options.offscreen, "Draw without a display");
+  app.add_option("--screenshot", options.screenshot, "Write a picture of the window and leave");
+  app.add_option("--layout", options.layout, "With --screenshot: write where the plots are (JSON)");
+  app.add_option("--theme", options.theme, "light, dark or system")
+      ->check(CLI::IsMember({"light", "dark", "system"}));
+  app.add_option("--width", options.width, "Of the window, in pixels")
+      ->check(CLI::Range(640, 8000));
+  app.add_option("--height", options.height)->check(CLI::Range(480, 8000));
+}
+
+/// Qt's offscreen platform complains of things that do not matter there.
+void drop_noise(QtMsgType, const QMessageLogContext&, const QString& message) {
+  if (message.contains(QLatin1String("propagateSizeHints")) ||
+      message.contains(QLatin1String("XDG_RUNTIME_DIR"))) {
+    return;
+  }
+  std::cerr << message.toStdString() << '\n';
+}
+
+int fail(const std::string& sentence) {
+  std::cerr << "searig-desktop: " << sentence << '\n';
+  return 1;
+}
+
+Theme theme_of(const Options& options) {
+  return options.theme == "system" ? Theme::of_system() : Theme(options.theme == "dark");
+}
+
+int take_screenshot(MainWindow& window, const Options& options) {
+  window.show();
+  QApplication::processEvents();  // lays the window out at its size
+  if (!options.recording.empty()) {
+    if (!window.open(options.recording)) return fail(window.message().toStdString());
+  } else if (options.live) {
+    window.start_simulated(options.seconds);
+  }
+  QApplication::processEvents();
+  if (!window.grab().save(QString::fromStdString(options.screenshot))) {
+    return fail("The picture " + options.screenshot + " cannot be written.");
+  }
+  if (!options.layout.empty()) {
+    std::ofstream out(options.layout);
+    out << window.describe_layout() << '\n';
+    if (!out.flush()) return fail("The file " + options.layout + " cannot be written.");
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"The searig window: torque, trust and stiffness, live or from a recording"};
+  describe(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  if (options.offscreen) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (!options.offscreen && qEnvironmentVariableIsEmpty("DISPLAY") &&
+      qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
+      qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+    return fail("There is no display (DISPLAY is not set); add --offscreen --screenshot FILE.png.");
+  }
+  qInstallMessageHandler(drop_noise);
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QApplication application(argc, argv);
+  if (QFontDatabase().families().isEmpty()) {
+    return fail("No font is installed, so no text would show; install one: fonts-dejavu-core.");
+  }
+  const Theme theme = theme_of(options);
+  theme.apply(application);
+  QFont font = QApplication::font();
+  font.setPointSizeF(10.0);
+  QApplication::setFont(font);
+  MainWindow window(theme);
+  window.resize(options.width, options.height);
+  if (!options.screenshot.empty()) return take_screenshot(window, options);
+
+  window.show();
+  if (!options.recording.empty()) window.open(options.recording);
+  if (options.live) window.start_simulated();
+  return QApplication::exec();
+}
