@@ -27,6 +27,16 @@ Range usable(Range range) {
   return {range.low - half, range.high + half};
 }
 
+std::vector<double> ticks_of(const Range& range, double step) {
+  std::vector<double> ticks;
+  const double slack = 1e-9 * step;  // a tick at the very end is not lost to rounding
+  const double end = range.high + slack;
+  for (double i = std::ceil((range.low - slack) / step); i * step <= end; i += 1.0) {
+    ticks.push_back(i * step);
+  }
+  return ticks;
+}
+
 }  // namespace
 
 std::string number(double value, int decimals) {
@@ -40,17 +50,18 @@ std::string number(double value, int decimals) {
 Axis make_axis(Range range, int wanted) {
   Axis axis;
   axis.range = usable(range);
-  const double step =
-      round_step((axis.range.high - axis.range.low) / static_cast<double>(std::max(1, wanted)));
+  const double span = axis.range.high - axis.range.low;
+  double step = round_step(span / std::max(1, wanted));
+  axis.ticks = ticks_of(axis.range, step);
+  // One tick alone says nothing about the scale.
+  for (int more = wanted + 1; axis.ticks.size() < 3 && more < wanted + 8; ++more) {
+    step = round_step(span / more);
+    axis.ticks = ticks_of(axis.range, step);
+  }
   const double size = std::max(std::abs(axis.range.low), std::abs(axis.range.high));
   if (size >= 1e5 || size < 1e-3) axis.exponent = static_cast<int>(std::floor(std::log10(size)));
-  axis.decimals =
-      std::max(0, axis.exponent - static_cast<int>(std::floor(std::log10(step) + 1e-9)));
-  const double slack = 1e-9 * step;
-  for (double i = std::ceil((axis.range.low - slack) / step); i * step <= axis.range.high + slack;
-       i += 1.0) {
-    axis.ticks.push_back(i * step);
-  }
+  const auto last_digit = static_cast<int>(std::floor(std::log10(step) + 1e-9));
+  axis.decimals = std::max(0, axis.exponent - last_digit);
   return axis;
 }
 

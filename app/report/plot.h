@@ -55,7 +55,7 @@ struct Plot {
   std::string title;
   std::string x_label;  ///< with the unit: "time (s)"
   std::string y_label;
-  std::vector<Series> series;
+  std::vector<Series> series = {};
   std::vector<Interval> shaded = {};
   std::vector<Mark> marks = {};
   std::vector<Level> levels = {};

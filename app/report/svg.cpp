@@ -74,17 +74,29 @@ double draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, doub
   return y + row_px - top;
 }
 
+/// The values of a column that are in view.
+std::vector<double> in_view(const std::vector<double>& x, const std::vector<double>& y,
+                            const std::optional<Range>& view) {
+  if (!view) return y;
+  std::vector<double> out;
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    if (x[i] >= view->low && x[i] <= view->high) out.push_back(y[i]);
+  }
+  return out;
+}
+
 Range y_range_of(const Plot& plot) {
   if (plot.y_range) return *plot.y_range;
-  std::vector<const std::vector<double>*> columns;
-  std::vector<double> levels;
+  std::vector<double> seen;
+  const auto add = [&seen](const std::vector<double>& values) {
+    seen.insert(seen.end(), values.begin(), values.end());
+  };
   for (const auto& series : plot.series) {
-    columns.push_back(&series.y);
-    if (series.style == Style::band) columns.push_back(&series.y_high);
+    add(in_view(series.x, series.y, plot.x_range));
+    if (series.style == Style::band) add(in_view(series.x, series.y_high, plot.x_range));
   }
-  for (const auto& level : plot.levels) levels.push_back(level.y);
-  columns.push_back(&levels);
-  return span_of(columns, 0.05);
+  for (const auto& level : plot.levels) seen.push_back(level.y);
+  return span_of({&seen}, 0.05);
 }
 
 Range x_range_of(const Plot& plot) {
