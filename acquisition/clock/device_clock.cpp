@@ -144,6 +144,9 @@ ClockedRows read_device_clock(std::span<const double> t_s, std::span<const doubl
   const double step = median_step(t_s);
   std::vector<double> t(t_s.begin(), t_s.end());
   std::vector<std::size_t> runs{0};
+  const auto not_rising = [&](std::size_t row) {
+    if (rows.first_not_rising == 0) rows.first_not_rising = row;
+  };
   double wrapped = 0.0;  // what the wraps so far add
   for (std::size_t row = 1; row < t.size(); ++row) {
     if (t_s[row] < t_s[row - 1]) {
@@ -153,9 +156,11 @@ ClockedRows read_device_clock(std::span<const double> t_s, std::span<const doubl
         runs.push_back(row);
         wrapped = 0.0;
       } else if (wrap == 0.0) {
-        if (rows.out_of_order++ == 0) rows.first_backwards = row;
+        ++rows.out_of_order;
+        not_rising(row);
       }
     }
+    if (t_s[row] == t_s[row - 1]) not_rising(row);
     t[row] = t_s[row] + wrapped;
   }
   runs.push_back(t.size());

@@ -19,7 +19,7 @@ struct ClockedRows {
   std::size_t lost = 0;               ///< gaps in seq, or else in a device time that keeps a beat
   std::size_t astray = 0;             ///< rows left out: their time stands apart from all others
   std::size_t misplaced = 0;          ///< fewest rows to take out for the others to be in order
-  std::size_t first_backwards = 0;    ///< the first received row older than its predecessor
+  std::size_t first_not_rising = 0;   ///< the first received row no younger than its predecessor
 };
 
 /// Reads a device clock of rows as received.

@@ -84,9 +84,10 @@ std::vector<double> picked(const std::vector<double>& values,
 
 void refuse_unsorted(const CsvFile& file, const CsvRows& rows, const ClockedRows& clocked,
                      std::size_t clock_column) {
-  if (clocked.misplaced <= rows.lines.size() / 50 && clocked.t_s.size() > 1) return;
+  const std::size_t all = rows.lines.size();
+  if (clocked.misplaced <= all / 50 && clocked.doubled <= all / 2) return;
   throw InputError(file.path().string() + ", line " +
-                   std::to_string(rows.lines[clocked.first_backwards]) + ", " +
+                   std::to_string(rows.lines[clocked.first_not_rising]) + ", " +
                    file.column_name(clock_column) +
                    ": the clock is not sorted, it does not rise here nor in " +
                    std::to_string(clocked.misplaced + clocked.doubled) + " rows in all.");

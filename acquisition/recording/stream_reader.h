@@ -10,7 +10,7 @@ namespace searig::acquisition {
 /// within each run between restarts, everything else counted (clock/device_clock.h).
 ///
 /// A clock is refused where more than one row in fifty would have to be taken out for the others
-/// to be in order: that is no clock with rows out of order, it is not sorted at all.
+/// to be in order, or more than half stand still: that is no clock with some rows out of order.
 /// Throws InputError that names file, line and column.
 Stream read_stream(const StreamMapping& mapping);
 

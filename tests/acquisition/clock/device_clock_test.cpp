@@ -74,7 +74,7 @@ TEST(DeviceClock, CallsItNoRestartWhenTheHostSteppedBackAsWell) {
   const ClockedRows rows = read_device_clock(t, host, {});
   EXPECT_TRUE(rows.restarts.empty());
   EXPECT_EQ(rows.misplaced, 250u);
-  EXPECT_EQ(rows.first_backwards, 250u);
+  EXPECT_EQ(rows.first_not_rising, 250u);
 }
 
 TEST(DeviceClock, PutsTwoSwappedRowsInOrderAndCountsOne) {
@@ -144,7 +144,7 @@ TEST(DeviceClock, FindsNearlyEveryRowOfAReversedClockMisplaced) {
   std::reverse(t.begin(), t.end());
   const ClockedRows rows = read_device_clock(t, {}, {});
   EXPECT_EQ(rows.misplaced, 499u);
-  EXPECT_EQ(rows.first_backwards, 1u);
+  EXPECT_EQ(rows.first_not_rising, 1u);
 }
 
 }  // namespace
