@@ -32,6 +32,12 @@ Trace::Channel difference(const Trace::Channel& a, const Trace::Channel& b) {
   return out;
 }
 
+/// A lever clamped to the bench calibrates a spring as well, but says nothing about the lever.
+bool may_be_locked(const Item& item) {
+  return item.stratum == "null exact" ||
+         (item.level == "single" && item.effects.front().starts_with("spring."));
+}
+
 }  // namespace
 
 Statistics statistics_of(const Trace& t, const Rig& rig) {
@@ -63,7 +69,9 @@ Rig draw_rig(const Item& item, Random random) {
 
   rig.duration_s = std::round(random.log_uniform(60.0, 140.0));
   rig.preroll_s = item.variant == "initial state" ? 6.0 : 1.5;
-  const MotionPlan& plan = rig.plan = draw_motion(item, random.fork("motion plan"));
+  MotionPlan& plan = rig.plan = draw_motion(item, random.fork("motion plan"));
+  const bool locked = may_be_locked(item) && random.chance(0.12);
+  if (locked) plan.motor_amplitude_rad = deflection, plan.hand_amplitude_rad = 0.0;
   rig.motion = plan_motion(plan, rig.duration_s + rig.preroll_s, random.fork("motion"));
   const double swing = plan.motor_amplitude_rad, speed = 1.9 * swing * plan.pace;
 
@@ -80,9 +88,10 @@ Rig draw_rig(const Item& item, Random random) {
                            b.coulomb_nm / (b.efficiency * b.inertia_kg_m2 * 800.0 * 800.0));
 
   // The hand gives way by as much as the motor's swing allows: series stiffness = torque/swing.
-  const double series = std::min(torque_peak / (1.15 * swing), 0.8 * k);
+  const double series = locked ? 0.97 * k : std::min(torque_peak / (1.15 * swing), 0.8 * k);
   const double stiff = rig.hand.stiffness_nm_per_rad = series * k / (k - series);
-  const double omega = random.uniform(50.0, 90.0), ratio = random.uniform(0.5, 0.9);
+  const double omega = random.uniform(50.0, 90.0) * (locked ? 5.0 : 1.0),
+               ratio = random.uniform(0.5, 0.9);
   rig.hand.inertia_kg_m2 = (k + stiff) / (omega * omega);
   rig.hand.damping_nm_s_per_rad = 2.0 * ratio * rig.hand.inertia_kg_m2 * omega;
 
@@ -123,6 +132,8 @@ Sensing draw_sensing(const Item& item, const Rig& rig, const Statistics& stats, 
   n.loadcell_kind =
       random.pick(std::vector<std::string>{"white", "white", "white", "white", "ar0.6", "ar0.9",
                                            "ar0.97", "hum", "loud_when_loaded", "outliers"});
+  // Hum at a multiple of the sampling rate would be a slow wave in time: that is no noise.
+  if (n.loadcell_kind == "hum" && s.loadcell_rate_hz == 50.0) s.loadcell_rate_hz = 80.0;
   // After the 10 ms smoothing the drive is between as loud and twice as loud as the load cell.
   const double torque_per_a = rig.base.efficiency * rig.base.torque_constant_nm_per_a;
   n.current_rms_a = random.uniform(0.7, 2.0) * n.loadcell_rms_nm / torque_per_a *

@@ -157,6 +157,9 @@ std::vector<Item> list_all() {
       add(all, 1, {"", "poor", "poor", motion, {effect}, Strength::medium, 0});
   for (const auto& effects : pairs)
     add(all, 1, {"", "pair", "pair", "", effects, Strength::obvious, 0});
+  for (const char* late : {"rig.delay", "rig.lag"})
+    add(all, 2,
+        {"", "pair", "pair", "compensating", {"spring.viscous", late}, Strength::obvious, 0});
   for (const auto& effects : triples)
     add(all, 1, {"", "triple", "triple", "", effects, Strength::obvious, 0});
   for (const auto& [variant, effect] : masked)

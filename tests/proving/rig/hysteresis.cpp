@@ -57,38 +57,41 @@ class BoucWen final : public Torque {
   double z_ = 0.0, before_ = 0.0;
 };
 
-/// A sum of relays (Preisach 1935), each switching up at alpha and down at beta < alpha, with
-/// weights that fall off away from the diagonal alpha - beta = 2*yield_rad. Each relay turns over
-/// within a small softness, or its clicks would be heard.
+/// Relays (Preisach 1935), each switching up at alpha and down at beta < alpha, weighted about
+/// widths of 2*yield_rad. Their sum lags the deflection as magnetisation lags a field; a lossy
+/// spring leads it, so the torque is a straight line minus the relays;
+/// it rises with the slope of the sum's middle and so saturates at torque_nm there.
 class Preisach final : public Torque {
  public:
   Preisach(double torque_nm, double yield_rad, double reach_rad, int side) {
-    double weights = 0.0;
     const double step = 2.0 * reach_rad / side;
+    double weights = 0.0, half_widths = 0.0, per_step = 0.0;
     for (int i = 0; i < side; ++i)
       for (int j = 0; j < i; ++j) {
-        const double up = -reach_rad + (i + 0.5) * step, down = -reach_rad + (j + 0.5) * step;
+        const double up = (i + 0.5) * step - reach_rad, down = (j + 0.5) * step - reach_rad;
         const double width = (up - down) / (2.0 * yield_rad);
         const double weight = width * std::exp(-width * width);
-        if (weight < 1e-4) continue;
-        relays_.push_back({up, down, weight, -1.0});
+        if (weight < 1e-3) continue;
+        relays_.push_back({up, down, weight, up + down > 0.0 ? -1.0 : 1.0});  // demagnetised
         weights += weight;
+        if (i == side - 1) per_step += weight;  // every width once
+        half_widths += weight * 0.5 * (up - down);
       }
-    for (auto& r : relays_) r.weight *= torque_nm / weights;
-    softness_rad_ = step;
-    for (std::size_t i = 0; i < relays_.size(); i += 2) relays_[i].state = 1.0;  // demagnetised
+    for (auto& r : relays_) r.weight /= weights;
+    softness_rad_ = step;  // each relay turns over gently, or its clicks would be heard
+    slope_per_rad_ = 2.0 * per_step / weights / step;
+    scale_nm_ = torque_nm / (slope_per_rad_ * half_widths / weights);
   }
 
   double advance(const Instant& now, double) override {
-    double total = 0.0;
+    double sum = 0.0;
     for (auto& r : relays_) {
-      r.state =
-          std::max(r.state, std::clamp((now.deflection_rad - r.up) / softness_rad_, -1.0, 1.0));
-      r.state =
-          std::min(r.state, std::clamp((now.deflection_rad - r.down) / softness_rad_, -1.0, 1.0));
-      total += r.weight * r.state;
+      const double up = (now.deflection_rad - r.up) / softness_rad_;
+      const double down = (now.deflection_rad - r.down) / softness_rad_;
+      r.state = std::min(std::max(r.state, std::clamp(up, -1.0, 1.0)), std::clamp(down, -1.0, 1.0));
+      sum += r.weight * r.state;
     }
-    return total;
+    return scale_nm_ * (slope_per_rad_ * now.deflection_rad - sum);
   }
 
  private:
@@ -96,7 +99,7 @@ class Preisach final : public Torque {
     double up, down, weight, state;
   };
   std::vector<Relay> relays_;
-  double softness_rad_ = 1e-4;
+  double softness_rad_ = 0.0, slope_per_rad_ = 0.0, scale_nm_ = 0.0;
 };
 
 }  // namespace
@@ -107,7 +110,7 @@ std::unique_ptr<Torque> make_hysteresis(const Effect& e) {
     return std::make_unique<MaxwellSlip>(torque, yield, e.at("spread"), 12);
   if (e.form == "bouc_wen")
     return std::make_unique<BoucWen>(torque, yield, e.at("beta"), e.at("exponent"));
-  if (e.form == "preisach") return std::make_unique<Preisach>(torque, yield, e.at("reach_rad"), 18);
+  if (e.form == "preisach") return std::make_unique<Preisach>(torque, yield, e.at("reach_rad"), 36);
   throw std::invalid_argument("no hysteresis has the form " + e.form);
 }
 

@@ -11,8 +11,6 @@ void locate_effect(const Effect& e, const Rig& rig, Located& out) {
   const auto around = [&](const char* channel, double width) {
     out.regions.push_back({channel, e.at("centre_rad") - width, e.at("centre_rad") + width});
   };
-  if (e.name == "spring.deadzone")
-    out.regions.push_back({"deflection_rad", -e.at("half_width_rad"), e.at("half_width_rad")});
   if (e.form == "snag") around("input_angle_rad", 2.0 * e.at("width_rad"));
   if (e.form == "detent") around("deflection_rad", 2.0 * e.at("width_rad"));
   if (e.form == "missing_codes")
@@ -34,6 +32,11 @@ void locate_regime(const Rig& rig, const std::string& variant, Located& out) {
   if (variant == "one fast burst") segment = "fast_burst";
   if (variant == "one large burst") segment = "multisine";
   if (variant == "one slow stretch") segment = "slow_sweep";
+  // A spring that is nearly always loaded on one side shows the rest in its constant offset.
+  if (variant == "rare zero crossing") {
+    const Effect* play = rig.find("spring.deadzone");
+    out.regions.push_back({"deflection_rad", -10.0, play ? play->at("half_width_rad") : 0.0});
+  }
   if (segment.empty()) return;
   const auto [from, to] = segment_interval(rig.plan, segment, rig.duration_s + rig.preroll_s);
   out.intervals_s.emplace_back(std::max(0.0, from - rig.preroll_s),
