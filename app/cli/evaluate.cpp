@@ -1,7 +1,6 @@
 // searig evaluate: the paper's Table I for recordings: best fit, online estimate, motor current.
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -21,13 +20,15 @@ struct Options {
   std::vector<std::string> recordings;
   std::optional<std::string> model;
   std::optional<double> initial_k;
-  estimator::DriveTerms drive = estimator::DriveTerms::model;
+  std::string drive = "model";
   bool as_paper = false;
   unsigned jobs = 0;
   std::string json;
 
   estimator::EvaluationOptions evaluation() const {
-    return {.initial_k_nm_per_rad = initial_k, .drive = drive, .exactly_as_the_paper = as_paper};
+    return {.initial_k_nm_per_rad = initial_k,
+            .drive = drive == "paper" ? estimator::DriveTerms::paper : estimator::DriveTerms::model,
+            .exactly_as_the_paper = as_paper};
   }
 };
 
@@ -180,19 +181,23 @@ void add_evaluate(CLI::App& app) {
   auto* command = app.add_subcommand(
       "evaluate", "Best fit, online estimate and motor current against the load cell");
   const auto options = std::make_shared<Options>();
-  const std::map<std::string, estimator::DriveTerms> drive_terms{
-      {"model", estimator::DriveTerms::model}, {"paper", estimator::DriveTerms::paper}};
+  const CLI::Validator above_zero(
+      [](const std::string& text) {
+        double k = 0;
+        return CLI::detail::lexical_cast(text, k) && k > 0 ? "" : "must be a number above 0";
+      },
+      "ABOVE 0");
   command->add_option("RECORDING", options->recordings, "Folders with a recording.toml")
       ->required();
   command->add_option("--model", options->model, "Model to use instead of the recording's own");
   command
       ->add_option("--initial-k", options->initial_k,
                    "Stiffness that the online estimate starts from, N*m/rad")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero);
   command
       ->add_option("--drive", options->drive,
                    "Drive torque from all of the model's terms, or from the paper's equation 2")
-      ->transform(CLI::CheckedTransformer(drive_terms));
+      ->check(CLI::IsMember({"model", "paper"}));
   command->add_flag("--as-paper", options->as_paper,
                     "The paper's gamma, alpha and beta as printed, whatever the module's size");
   command->add_option("--jobs", options->jobs, "Recordings at the same time (0: one per core)");

@@ -15,7 +15,8 @@
 namespace searig::estimator {
 
 struct EvaluationOptions {
-  std::optional<double> initial_k_nm_per_rad;  ///< of the online estimate; otherwise a good one
+  std::optional<double> initial_k_nm_per_rad =
+      {};  ///< of the online estimate; otherwise a good one
   DriveTerms drive = DriveTerms::model;
   bool exactly_as_the_paper =
       false;  ///< gamma, alpha and beta as printed, for a module of any size

@@ -8,7 +8,8 @@ namespace searig::estimator {
 
 namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-}
+constexpr double rounding2 = 1e-24;  // a relative spread of 1e-12 is rounding
+}  // namespace
 
 Score score(std::span<const double> estimate_nm, std::span<const double> measured_nm) {
   double error = 0, square = 0, size = 0;
@@ -47,7 +48,8 @@ Line fit_line(std::span<const double> x, std::span<const double> y,
     xx += w * (x[i] - mean_x) * (x[i] - mean_x);
     xy += w * (x[i] - mean_x) * (y[i] - mean_y);
   }
-  const double slope = xx > 0 ? xy / xx : nothing;
+  const bool varies = xx > sum * mean_x * mean_x * rounding2;
+  const double slope = varies ? xy / xx : nothing;
   return {slope, mean_y - slope * mean_x};
 }
 
