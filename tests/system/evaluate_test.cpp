@@ -1,0 +1,112 @@
+// searig evaluate, as a user calls it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/system/run_program.h"
+
+namespace searig {
+namespace {
+
+using acquisition::TemporaryFolder;
+
+Ran evaluate(const std::string& arguments) {
+  return run_program("searig evaluate " + arguments);
+}
+
+nlohmann::json read_json(const std::filesystem::path& file) {
+  return nlohmann::json::parse(std::ifstream(file));
+}
+
+/// A spring of `k` N*m/rad and a motor of 2 N*m/A without friction, all on one clock.
+void write_recording(const std::filesystem::path& folder, double k) {
+  std::filesystem::create_directories(folder);
+  std::ofstream module(folder / "module.csv"), loadcell(folder / "loadcell.csv");
+  module << "t_s,deflection_rad,current_a\n";
+  loadcell << "t_s,torque_nm\n";
+  for (int i = 0; i < 5000; ++i) {
+    const double t = i * 0.004, theta = 0.1 * std::sin(3 * t);
+    module << t << ',' << theta << ',' << k * theta / 2 << '\n';
+    if (i % 5 == 0) loadcell << t << ',' << k * theta << '\n';
+  }
+  std::ofstream(folder / "recording.toml")
+      << "format = \"searig-recording/1\"\n[module]\nfile = \"module.csv\"\n[loadcell]\nfile = "
+         "\"loadcell.csv\"\n";
+  std::ofstream(folder / "model.toml")
+      << "format = \"searig-model/1\"\n[spring.linear]\nk_nm_per_rad = " << k
+      << "\n[drive.motor]\ntorque_constant_nm_per_a = 2.0\nefficiency = 1.0\n";
+}
+
+TEST(EvaluateCommand, AnswersWithThePapersTable) {
+  const TemporaryFolder folder;
+  write_recording(folder.path() / "spring", 40);
+  const auto json = folder.path() / "answer.json";
+  const Ran ran =
+      evaluate((folder.path() / "spring").string() + "/ --initial-k 400 --json " + json.string());
+  EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+  for (const char* row : {"Linear (best fit)", "Online", "Motor current"}) {
+    EXPECT_NE(ran.out.find(row), std::string::npos) << ran.out << ran.err;
+  }
+  const auto answer = read_json(json);
+  EXPECT_EQ(answer.at("format"), "searig-evaluation/1");
+  EXPECT_TRUE(answer.at("failed").empty());
+  const auto& recording = answer.at("recordings").at(0);
+  EXPECT_EQ(recording.at("name"), "spring");
+  EXPECT_NEAR(recording.at("seconds"), 20, 0.01);
+  const auto& models = recording.at("models");
+  EXPECT_NEAR(models.at("best_fit").at("k_nm_per_rad"), 40, 0.01);
+  EXPECT_NEAR(models.at("online").at("k_nm_per_rad"), 40, 1.2);
+  for (const char* model : {"best_fit", "online", "current"}) {
+    EXPECT_TRUE(models.at(model).at("error_percent").is_number()) << model;
+    EXPECT_TRUE(models.at(model).at("rmse_nm").is_number()) << model;
+  }
+}
+
+TEST(EvaluateCommand, ReportsABadRecordingAndDoesTheRest) {
+  const TemporaryFolder folder;
+  write_recording(folder.path() / "good", 40);
+  const auto json = folder.path() / "answer.json";
+  const std::string paths =
+      (folder.path() / "missing").string() + " " + (folder.path() / "good").string();
+  const Ran ran = evaluate(paths + " --json " + json.string());
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_NE(ran.err.find("1 of 2 recordings"), std::string::npos) << ran.out << ran.err;
+  const auto answer = read_json(json);
+  ASSERT_EQ(answer.at("recordings").size(), 1u);
+  EXPECT_EQ(answer.at("recordings").at(0).at("name"), "good");
+  ASSERT_EQ(answer.at("failed").size(), 1u);
+  EXPECT_EQ(answer.at("failed").at(0).at("name"), "missing");
+  EXPECT_FALSE(answer.at("failed").at(0).at("why").get<std::string>().empty());
+}
+
+TEST(EvaluateCommand, AnswersTheSameWithAnyNumberOfJobs) {
+  const TemporaryFolder folder;
+  std::string paths;
+  for (int k : {20, 30, 40, 50, 60}) {
+    const auto recording = folder.path() / ("spring" + std::to_string(k));
+    write_recording(recording, k);
+    paths += recording.string() + " ";
+  }
+  const Ran one = evaluate(paths + "--jobs 1 --json -"),
+            four = evaluate(paths + "--jobs 4 --json -");
+  EXPECT_EQ(one.exit_code, 0) << one.out;
+  EXPECT_EQ(one.out, four.out);
+}
+
+TEST(EvaluateCommand, TellsWrongUseFromWorkThatFailed) {
+  EXPECT_EQ(evaluate("").exit_code, 2);
+  EXPECT_EQ(evaluate("somewhere --initial-k -3").exit_code, 2);
+  EXPECT_EQ(evaluate("somewhere --drive guess").exit_code, 2);
+  EXPECT_EQ(evaluate("/nowhere/at/all").exit_code, 1);
+  const Ran help = evaluate("--help");
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_NE(help.out.find("Example:"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace searig
