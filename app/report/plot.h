@@ -53,8 +53,8 @@ struct Level {
 
 struct Plot {
   std::string title;
-  std::string x_label;  ///< with the unit: "time (s)"
-  std::string y_label;
+  std::string x_label = {};  ///< with the unit: "time (s)"
+  std::string y_label = {};
   std::vector<Series> series = {};
   std::vector<Interval> shaded = {};
   std::vector<Mark> marks = {};
@@ -74,7 +74,7 @@ struct CellMap {
   };
   std::string title;
   std::string value_label;  ///< "residual (standard errors)"
-  std::vector<Row> rows;
+  std::vector<Row> rows = {};
   double full_scale = 5.0;  ///< the value at which the colour is full
 };
 
