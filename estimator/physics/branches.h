@@ -16,6 +16,8 @@ class Branches : public Effect {
   Term term(const Eigen::VectorXd& amplitudes, std::span<const double> shape, const Model& model,
             const Motion& motion) const override;
   Eigen::MatrixXd features(const Motion& motion, std::span<const double> shape) const override;
+  bool has_branches() const override { return true; }
+  std::size_t free_shape(std::span<const double> shape) const override { return shape.size(); }
   bool physical(const Eigen::VectorXd& amplitudes) const override {
     return amplitudes.minCoeff() > 0;
   }

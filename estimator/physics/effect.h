@@ -42,6 +42,7 @@ struct Description {
   std::string looks_like;
   std::string confused_with;
   std::string separated_by;  ///< the experiment that tells it from those
+  std::string channel;  ///< over which it is local, named as in the diagnosis
   std::string source;
 };
 
@@ -72,7 +73,25 @@ class Effect {
   virtual Term term(const Eigen::VectorXd& amplitudes, std::span<const double> shape,
                     const Model& model, const Motion& motion) const = 0;
 
-  /// True where the amplitude cannot have this sign or size in nature (a negative friction).
+  /// How many of the shape's leading values are continuous and may be polished; the others are
+  /// choices or constants.
+  virtual std::size_t free_shape(std::span<const double>) const { return 0; }
+
+  /// Whether further elements of the same kind may be added (Maxwell branches).
+  virtual bool has_branches() const { return false; }
+
+  /// Range that a free shape value may be polished in. Beyond it the effect becomes another one in
+  /// disguise (a relaxation too fast to see is a damper), so it must win inside.
+  struct Range {
+    double lower, upper;
+  };
+  virtual Range shape_range(const Motion&, std::size_t) const { return {1e-9, 1e9}; }
+
+  /// The amplitude that a small mismatch of the channels' filters can feign: an averaging window
+  /// of width_s more on one channel than on another. Smaller amplitudes are not asserted.
+  virtual double feigned(const Model&, double) const { return 0.0; }
+
+  /// False where nature does not have this sign (a negative friction).
   virtual bool physical(const Eigen::VectorXd&) const { return true; }
 
   /// The amplitude is that of this other effect, not one of its own (a dead zone acts on k*theta).

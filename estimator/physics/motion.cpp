@@ -6,6 +6,27 @@
 
 namespace searig::estimator {
 
+const std::vector<double>* channel_of(const Motion& m, std::string_view name) {
+  const std::pair<std::string_view, const std::vector<double>*> channels[] = {
+      {"time_s", &m.t},
+      {"deflection_rad", &m.theta},
+      {"deflection_rate_rad_s", &m.theta_rate},
+      {"input_angle_rad", &m.q_i},
+      {"input_velocity_rad_s", &m.w},
+      {"input_acceleration_rad_s2", &m.a},
+      {"output_angle_rad", &m.q_o},
+      {"output_velocity_rad_s", &m.w_o},
+      {"output_acceleration_rad_s2", &m.a_o},
+      {"current_a", &m.current},
+      {"winding_temperature_c", &m.winding_c},
+      {"spring_temperature_c", &m.spring_c},
+      {"spring_torque_nm", &m.spring_nm},
+      {"loadcell_torque_nm", &m.spring_nm}};
+  for (const auto& [known, values] : channels)
+    if (known == name) return values->empty() ? nullptr : values;
+  return nullptr;
+}
+
 Motion motion_of(const ModuleSignals& module, double half_width_s) {
   Motion m;
   m.t = module.t_s;

@@ -1,6 +1,7 @@
 // What the effects act on: one experiment's motion at the module's samples, smoothed.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "estimator/signals.h"
@@ -25,6 +26,10 @@ struct Motion {
   bool has_spring() const { return !theta.empty(); }
   bool has_drive() const { return !current.empty() && !w.empty(); }
 };
+
+/// A channel by the name that the diagnosis gives it ("deflection_rate_rad_s"); nullptr where the
+/// recording lacks it.
+const std::vector<double>* channel_of(const Motion& motion, std::string_view name);
 
 /// Differentiates over +-half_width_s around each sample. Where the module reports its own input
 /// velocity and no angle, that velocity is taken.

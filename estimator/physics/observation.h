@@ -15,6 +15,7 @@ class Observation : public Effect {
     return Eigen::MatrixXd(Eigen::Index(m.size()), 0);
   }
   Eigen::VectorXd amplitudes(const Term&, const Model&) const override { return {}; }
+  std::size_t free_shape(std::span<const double>) const override { return 1; }
   std::vector<double> shape(const Term& term) const override {
     return {term.parameters.at(parameters()[0].name)};
   }

@@ -15,6 +15,7 @@ class DriveCoulomb final : public SingleAmplitude {
                  "a jump of twice the torque at each reversal, the same at every speed and load",
              .confused_with = "drive.viscous, drive.stribeck, drive.load_friction",
              .separated_by = "constant speeds over two decades at two loads",
+             .channel = "input_velocity_rad_s",
              .source = "C. Canudas de Wit et al., IEEE T. Robotics and Automation 7, 1991"},
             {{"torque_nm", 0, 1e9, "dry friction at the gear output"},
              {"smoothing_rad_s", 1e-9, 10, "speed over which the sign turns"}}) {}

@@ -14,6 +14,7 @@ class DriveCurrentOffset final : public SingleAmplitude {
              .looks_like = "a constant torque against spring and load cell alike",
              .confused_with = "an offset of the deflection together with one of the load cell",
              .separated_by = "the motor switched off: the current must read zero",
+             .channel = "current_a",
              .source = "current-shunt amplifier offset"},
             {{"offset_a", -1e3, 1e3, "reading at no current"}}, RelativeTo::motor_gain) {}
 

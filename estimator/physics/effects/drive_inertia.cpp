@@ -14,6 +14,7 @@ class DriveInertia final : public SingleAmplitude {
              .looks_like = "an error in proportion to acceleration, none at constant speed",
              .confused_with = "rig.inertia, spring.viscous",
              .separated_by = "small fast motions against large slow ones",
+             .channel = "input_acceleration_rad_s2",
              .source =
                  "paper, equation (2), with the sign of the torque that does not reach the output"},
             {{"j_kg_m2", 0, 1e9, "sum of J_i r_i at the gear output, for the model's efficiency"}},

@@ -14,6 +14,7 @@ class DriveLoadFriction final : public SingleAmplitude {
              .looks_like = "friction that vanishes at no load: a butterfly over the torque",
              .confused_with = "drive.coulomb, drive.motor efficiency",
              .separated_by = "several loads at one speed, in both directions",
+             .channel = "spring_torque_nm",
              .source = "gear efficiency; S. Wu, G. Duong, ISA Trans. 2017"},
             {{"share", 0, 1, "friction torque over load torque"},
              {"backdriving_ratio", 0, 10, "share when back-driven over share when driving", 1.0}}) {

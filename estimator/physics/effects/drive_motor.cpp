@@ -13,6 +13,7 @@ class DriveMotor final : public SingleAmplitude {
                          .looks_like = "torque in proportion to the current",
                          .confused_with = "",
                          .separated_by = "",
+                         .channel = "current_a",
                          .source = "paper, equation (2)"},
                         {{"torque_constant_nm_per_a", 0, 1e9, "motor constant times gear ratio"},
                          {"efficiency", 0, 1, "of the gear train; only the product is seen"}},

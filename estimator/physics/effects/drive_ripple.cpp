@@ -17,6 +17,7 @@ class DriveRipple final : public Sine {
               .looks_like = "a wave over the input angle, the same at every speed",
               .confused_with = "a wave in the input encoder, periodic noise in time",
               .separated_by = "slow constant speeds over several waves, at two speeds",
+              .channel = "input_angle_rad",
               .source = "cogging torque; J. Gieras, Permanent Magnet Motor Technology, 2002"},
              {{"torque_nm", 0, 1e9, "amplitude at the gear output"},
               {"cycles_per_rad", 1e-3, 1e5, "radians of ripple per radian of q_i"},
@@ -36,9 +37,13 @@ class DriveRipple final : public Sine {
     return out;
   }
 
+  Range shape_range(const Motion&, std::size_t) const override { return {1e-2, 1e5}; }
+
   Eigen::MatrixXd features(const Motion& m, std::span<const double> shape) const override {
     return columns(m.q_i, shape[0]);
   }
+  std::size_t free_shape(std::span<const double>) const override { return 1; }
+
   std::vector<double> shape(const Term& term) const override {
     return {term.parameters.at("cycles_per_rad")};
   }

@@ -14,6 +14,7 @@ class DriveStribeck final : public SingleAmplitude {
              .looks_like = "friction that falls as the speed rises from zero",
              .confused_with = "drive.coulomb, drive.viscous",
              .separated_by = "constant speeds from very low on",
+             .channel = "input_velocity_rad_s",
              .source = "B. Armstrong-Helouvry et al., Automatica 30, 1994"},
             {{"torque_nm", 0, 1e9, "breakaway torque above the sliding friction"},
              {"velocity_rad_s", 1e-6, 1e3, "Stribeck velocity"}}) {}
@@ -21,10 +22,16 @@ class DriveStribeck final : public SingleAmplitude {
   bool applies(const Motion& m) const override { return m.has_drive(); }
 
   std::vector<std::vector<double>> shape_grid(const Motion& m) const override {
-    return logarithmic_grid(0.04 * reach(m.w), 0.6 * reach(m.w), 8);
+    return logarithmic_grid(0.03 * reach(m.w), 0.45 * reach(m.w), 8);
   }
 
+  std::size_t free_shape(std::span<const double>) const override { return 1; }
+
   bool physical(const Eigen::VectorXd& amplitude) const override { return amplitude[0] > 0; }
+
+  Range shape_range(const Motion& m, std::size_t) const override {
+    return {0.02 * reach(m.w), 0.5 * reach(m.w)};
+  }
 
  protected:
   Eigen::VectorXd column(const Motion& m, std::span<const double> shape) const override {

@@ -14,6 +14,7 @@ class DriveTorqueConstantTemperature final : public SingleAmplitude {
              .looks_like = "the slope over current follows the winding temperature",
              .confused_with = "spring.temperature",
              .separated_by = "hold a known weight while the motor warms up",
+             .channel = "winding_temperature_c",
              .source = "remanence of permanent magnets, about -0.1 % (ferrite -0.2 %) per kelvin"},
             {{"per_c", -0.1, 0.1, "relative change of the torque constant per kelvin"},
              {"reference_c", -50, 200, "where the torque constant holds"}},

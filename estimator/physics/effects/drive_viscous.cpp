@@ -13,6 +13,7 @@ class DriveViscous final : public SingleAmplitude {
                          .looks_like = "an error in proportion to speed",
                          .confused_with = "drive.coulomb, drive.inertia, rig.delay",
                          .separated_by = "constant speeds over two decades",
+                         .channel = "input_velocity_rad_s",
                          .source = "linear bearing and lubricant drag"},
                         {{"b_nm_s_per_rad", 0, 1e9, "viscous friction at the gear output"}}) {}
 

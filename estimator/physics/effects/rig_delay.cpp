@@ -16,8 +16,15 @@ class RigDelay final : public Observation {
              .looks_like = "an error in proportion to the torque's rate",
              .confused_with = "rig.lag, spring.viscous with drive.viscous",
              .separated_by = "a sharp knock on the lever; motions above 0.3/(2*pi*delay) Hz",
+             .channel = "deflection_rate_rad_s",
              .source = "transport delay of an averaging or buffered converter"},
             {{"delay_s", -10, 10, "beyond what the clock map leaves open"}}) {}
+
+  std::vector<std::vector<double>> shape_grid(const Motion&) const override {
+    return {{-0.02}, {-0.01}, {-0.005}, {0.005}, {0.01}, {0.02}, {0.04}, {0.08}, {0.15}};
+  }
+
+  Range shape_range(const Motion&, std::size_t) const override { return {-0.3, 0.3}; }
 
   Eigen::VectorXd seen(const std::vector<double>& t, const Eigen::VectorXd& x,
                        double seconds) const override {

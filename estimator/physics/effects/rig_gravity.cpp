@@ -14,6 +14,7 @@ class RigGravity final : public Sine {
               .confused_with =
                   "rig.inertia (in a swinging motion), spring.cubic, a load-cell offset",
               .separated_by = "the unloaded lever at several angles, or the rig laid on its side",
+              .channel = "output_angle_rad",
               .source = "weight of a lever, m*g*l"},
              {{"torque_nm", 0, 1e9, "weight times distance of the centre of mass"},
               {"phase_rad", -1e3, 1e3, "output angle from hanging down, at q_o = 0"}}) {}

@@ -15,10 +15,17 @@ class RigLag final : public Observation {
                      .looks_like = "late and rounded where the torque changes fast",
                      .confused_with = "rig.delay, spring.viscous with drive.viscous",
                      .separated_by = "motions above 0.3/(2*pi*tau) Hz",
+                     .channel = "deflection_rate_rad_s",
                      .source = "first-order low pass"},
                     {{"tau_s", 0, 10, "time constant"}}) {}
 
   /// Exact for a torque that is straight between samples.
+  std::vector<std::vector<double>> shape_grid(const Motion&) const override {
+    return {{0.003}, {0.006}, {0.012}, {0.025}, {0.05}, {0.1}, {0.2}};
+  }
+
+  Range shape_range(const Motion&, std::size_t) const override { return {0.001, 1.0}; }
+
   Eigen::VectorXd seen(const std::vector<double>& t, const Eigen::VectorXd& x,
                        double seconds) const override {
     Eigen::VectorXd out(x.size());

@@ -14,6 +14,7 @@ class RigZeroDrift final : public SingleAmplitude {
              .looks_like = "a straight line in time, at any load",
              .confused_with = "spring.relaxation with a long time, creep of the load cell",
              .separated_by = "no load for a few minutes",
+             .channel = "time_s",
              .source = "load-cell zero drift, OIML R 60"},
             {{"nm_per_min", -1e9, 1e9, "drift of the zero"}}) {}
 

@@ -13,6 +13,7 @@ class SpringAsymmetry final : public SingleAmplitude {
                          .looks_like = "a bend at zero deflection: an even part, |theta|",
                          .confused_with = "a deflection offset, spring.cubic",
                          .separated_by = "equal amplitudes to both sides, slowly, several sizes",
+                         .channel = "deflection_rad",
                          .source = "piecewise linear spring"},
                         {{"share", -1, 1, "difference of the two stiffnesses over their mean"}},
                         RelativeTo::stiffness) {}

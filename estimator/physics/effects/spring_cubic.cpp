@@ -15,6 +15,7 @@ class SpringCubic final : public SingleAmplitude {
              .confused_with = "spring.deadzone, spring.asymmetry, a wave in the output encoder",
              .separated_by =
                  "a slow staircase of amplitudes, then the output mounted 90 degrees further",
+             .channel = "deflection_rad",
              .source = "Duffing form; I. Kovacic, M. Brennan, The Duffing Equation, 2011"},
             {{"k3_nm_per_rad3", -1e9, 1e9, "cubic stiffness"}}) {}
 

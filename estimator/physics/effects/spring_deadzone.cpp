@@ -16,6 +16,7 @@ class SpringDeadzone final : public SingleAmplitude {
                  "slope zero within a fixed band of deflection, a step of k*half_width across it",
              .confused_with = "spring.cubic, spring.hysteresis",
              .separated_by = "slow crossings of zero at two amplitudes: the band stays where it is",
+             .channel = "deflection_rad",
              .source = "piecewise linear play; J. Nordin, P.-O. Gutman, Automatica 38, 2002"},
             {{"half_width_rad", 0, 3.2, "half the play"}}) {}
 
@@ -37,7 +38,13 @@ class SpringDeadzone final : public SingleAmplitude {
     return {name(), {{"half_width_rad", shape[0]}}};
   }
 
+  std::size_t free_shape(std::span<const double>) const override { return 1; }
+
   std::string_view tied_to() const override { return "spring.linear"; }
+
+  Range shape_range(const Motion& m, std::size_t) const override {
+    return {0.002 * reach(m.theta), 0.7 * reach(m.theta)};
+  }
 
  protected:
   Eigen::VectorXd column(const Motion& m, std::span<const double> shape) const override {

@@ -18,6 +18,7 @@ class SpringHysteresis final : public Branches {
              .looks_like = "a loop of the same width at every speed, closed after a reversal",
              .confused_with = "spring.viscous, spring.relaxation, spring.deadzone",
              .separated_by = "triangles of one amplitude at two speeds, with small ones inside",
+             .channel = "deflection_rad",
              .source = "Y.-K. Wen, J. Eng. Mech. 102, 1976; loops, not parameters, are unique"},
             {"torque", "_nm", "torque at which it saturates", false},
             {"yield", "_rad", "deflection after a reversal at which it saturates", false}) {}
@@ -25,7 +26,11 @@ class SpringHysteresis final : public Branches {
   bool applies(const Motion& m) const override { return m.has_spring(); }
 
   std::vector<std::vector<double>> shape_grid(const Motion& m) const override {
-    return logarithmic_grid(0.01 * reach(m.theta), 2.0 * reach(m.theta), 10);
+    return logarithmic_grid(0.01 * reach(m.theta), 0.7 * reach(m.theta), 10);
+  }
+
+  Range shape_range(const Motion& m, std::size_t) const override {
+    return {0.008 * reach(m.theta), 0.8 * reach(m.theta)};
   }
 
  protected:

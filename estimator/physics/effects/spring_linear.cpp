@@ -13,6 +13,7 @@ class SpringLinear final : public SingleAmplitude {
                          .looks_like = "torque in proportion to the deflection",
                          .confused_with = "",
                          .separated_by = "",
+                         .channel = "deflection_rad",
                          .source = "paper, equation (1) (Hooke)"},
                         {{"k_nm_per_rad", 0, 1e9, "torsional stiffness"}}) {}
 

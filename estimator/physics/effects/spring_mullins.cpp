@@ -20,6 +20,7 @@ class SpringMullins final : public SingleAmplitude {
              .looks_like = "the slope falls over the recording, fast at first, and stays low",
              .confused_with = "spring.temperature, spring.relaxation with a long time",
              .separated_by = "the same cycles again after a rest at constant temperature",
+             .channel = "time_s",
              .source = "paper, Fig. 3; R. Ogden, D. Roxburgh, Proc. R. Soc. A 455, 1999"},
             {{"share", 0, 1, "largest loss of stiffness"},
              {"scale", 1e-9, 1e9, "history that brings 63 % of it: N*m*rad, or rad"},
@@ -39,7 +40,11 @@ class SpringMullins final : public SingleAmplitude {
     return out;
   }
 
+  std::size_t free_shape(std::span<const double>) const override { return 1; }
+
   bool physical(const Eigen::VectorXd& amplitude) const override { return amplitude[0] > 0; }
+
+  Range shape_range(const Motion&, std::size_t) const override { return {1e-6, 1e9}; }
 
  protected:
   Eigen::VectorXd column(const Motion& m, std::span<const double> shape) const override {

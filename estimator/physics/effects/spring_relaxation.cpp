@@ -17,6 +17,7 @@ class SpringRelaxation final : public Branches {
                   .confused_with =
                       "spring.viscous (short tau), spring.hysteresis, rig.zero_drift (long tau)",
                   .separated_by = "steps held for three times tau, and triangles at two speeds",
+                  .channel = "deflection_rate_rad_s",
                   .source = "standard linear solid; W. Findley et al., Creep and Relaxation, 1976"},
                  {"k", "_nm_per_rad", "stiffness of the branch", true},
                  {"tau", "_s", "time constant of the branch", false}) {}
@@ -25,7 +26,11 @@ class SpringRelaxation final : public Branches {
 
   std::vector<std::vector<double>> shape_grid(const Motion& m) const override {
     if (m.size() < 2) return {};
-    return logarithmic_grid(0.03, 0.5 * m.t.back(), 14);
+    return logarithmic_grid(0.08, 0.5 * m.t.back(), 12);
+  }
+
+  Range shape_range(const Motion& m, std::size_t) const override {
+    return {0.06, 0.6 * m.t.back()};
   }
 
  protected:

@@ -14,6 +14,7 @@ class SpringTemperature final : public SingleAmplitude {
              .looks_like = "the slope follows the temperature, up and down",
              .confused_with = "spring.mullins, spring.relaxation with a long time",
              .separated_by = "the same motion cold, warm and cold again, at rest in between",
+             .channel = "spring_temperature_c",
              .source = "elastomer stiffness, L. Treloar, The Physics of Rubber Elasticity, 1975"},
             {{"per_c", -0.1, 0.1, "relative change of k per kelvin"},
              {"reference_c", -50, 200, "where k holds"}},

@@ -16,6 +16,7 @@ class SpringViscous final : public SingleAmplitude {
              .separated_by =
                  "the same motion at several speeds, with the current recorded: a late load cell "
                  "shows against spring and drive alike, damping only against the spring",
+             .channel = "deflection_rate_rad_s",
              .source = "paper, equation (12)"},
             {{"c_nm_s_per_rad", 0, 1e9, "damping coefficient"}}) {}
 

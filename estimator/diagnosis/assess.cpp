@@ -1,0 +1,73 @@
+#include "estimator/diagnosis/assess.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "estimator/physics/catalogue.h"
+
+namespace searig::estimator {
+namespace {
+
+/// Rivals fit other functional forms of the same physics, so likelihoods are tempered: one part in
+/// fifty of the gain counts as one unit of log likelihood.
+double temperature(double gain) { return 1.0 + 0.02 * std::max(0.0, gain); }
+
+/// Whether the spring's residual and the drive's want the same amplitude of a spring term.
+bool both_agree(const Bench& bench, const Hypothesis& final, std::size_t piece, double gain) {
+  const Experiment& e = bench.experiment();
+  const Piece& p = final[piece];
+  const Path path = p.atom ? p.atom->path : p.effect->path();
+  if (path != Path::spring || !e.has_drive() || (p.effect && !p.effect->tied_to().empty()))
+    return true;
+  const Fit fit = bench.fit(final);
+  const Seen seen = seen_by(final);
+  Eigen::MatrixXd loadcell_only = bench.columns(p, seen.delay_s, seen.lag_s);
+  loadcell_only.bottomRows(loadcell_only.rows() - e.loadcell_rows()).setZero();
+  const double split = Projection(fit.columns, bench.right()).gain(loadcell_only).sse;
+  return split < std::max(40.0, 0.25 * gain);
+}
+
+}  // namespace
+
+double existence(double gain, double rho) {
+  const double from_gain = 1.0 / (1.0 + std::exp(-(gain - 26.0) / 8.0));
+  const double from_size = 1.0 / (1.0 + std::exp(-(rho - 0.10) / 0.025));
+  return from_gain * from_size;
+}
+
+Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t piece) {
+  Assessment out;
+  out.piece = piece;
+  Hypothesis rest = final.hypothesis;
+  const Piece own = rest[piece];
+  rest.erase(rest.begin() + std::ptrdiff_t(piece));
+  const Step step = search.step(search.score(rest));
+  out.without = step.before.hypothesis;
+  out.gain = step.before.cost() - final.cost();
+  out.rho = strength(bench, step.before, final);
+  out.consistent = both_agree(bench, final.hypothesis, piece, out.gain);
+
+  const double t = temperature(out.gain);
+  std::map<std::string, double> weight;
+  double total = 1.0, nameless = 0.0;
+  const auto family = [](const std::string& name) {  // when the load cell answers, not what
+    return name == "rig.lag" ? std::string("rig.delay") : name;
+  };
+  for (const auto& c : step.named) {
+    if (family(c.piece.effect->name()) == family(own.effect->name())) continue;
+    const double w = std::exp(std::min(0.0, -(out.gain - c.gain) / (2.0 * t)));
+    if (w > 0.01) weight[c.piece.effect->name()] = w, total += w;
+  }
+  for (const auto& c : step.unnamed)
+    nameless = std::max(nameless, std::exp(std::min(0.0, -(out.gain - c.gain) / (2.0 * t))));
+  total += nameless;
+  out.probability = existence(out.gain, out.rho) / total;
+  for (const auto& [name, w] : weight)
+    out.alternatives.push_back({name, w / total, own.effect->about().separated_by});
+  if (nameless > 0.01) out.alternatives.push_back({"", nameless / total, "a recording of the same motion at another place, time or load"});
+  std::ranges::sort(out.alternatives, std::greater{}, &Alternative::probability);
+  return out;
+}
+
+}  // namespace searig::estimator

@@ -1,0 +1,25 @@
+// How sure: each accepted term against its rivals, everything else in place.
+#pragma once
+
+#include "estimator/diagnosis/diagnosis.h"
+#include "estimator/diagnosis/search.h"
+
+namespace searig::estimator {
+
+/// A named piece of the final hypothesis, held against all rivals for its place.
+struct Assessment {
+  std::size_t piece = 0;   ///< in the final hypothesis
+  Hypothesis without;      ///< the rest, polished
+  double gain = 0.0;       ///< what the piece brings
+  double rho = 0.0;
+  double probability = 0.0;
+  std::vector<Alternative> alternatives;
+  bool consistent = true;  ///< whether both residuals that it enters agree on it
+};
+
+Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t piece);
+
+/// Chance that a term is there at all, from what it gains and its size over the noise.
+double existence(double gain, double rho);
+
+}  // namespace searig::estimator

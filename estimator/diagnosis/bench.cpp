@@ -1,0 +1,257 @@
+#include "estimator/diagnosis/bench.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "estimator/physics/catalogue.h"
+#include "estimator/physics/observation.h"
+#include "estimator/physics/single_amplitude.h"
+
+namespace searig::estimator {
+namespace {
+
+const Observation* as_observation(const Piece& piece) {
+  return dynamic_cast<const Observation*>(piece.effect);
+}
+
+std::string key_of(const Piece& piece, double delay_s, double lag_s) {
+  std::string key(sizeof(void*) * 2 + sizeof(double) * (piece.shape.size() + 2), '\0');
+  char* at = key.data();
+  const auto put = [&at](const void* from, std::size_t n) {
+    std::memcpy(at, from, n);
+    at += n;
+  };
+  put(&piece.effect, sizeof piece.effect);
+  put(&piece.atom, sizeof piece.atom);
+  put(&delay_s, sizeof delay_s);
+  put(&lag_s, sizeof lag_s);
+  put(piece.shape.data(), piece.shape.size() * sizeof(double));
+  return key;
+}
+
+}  // namespace
+
+Seen seen_by(const Hypothesis& hypothesis) {
+  Seen seen;
+  for (const auto& piece : hypothesis)
+    if (piece.effect && piece.effect->path() == Path::observation)
+      (piece.effect->name() == "rig.delay" ? seen.delay_s : seen.lag_s) = piece.shape[0];
+  return seen;
+}
+
+Bench::Bench(Experiment experiment) : experiment_(std::move(experiment)) {
+  torque_ = Eigen::VectorXd::Zero(Eigen::Index(experiment_.motion.size()));
+}
+
+Eigen::MatrixXd Bench::stack(Path path, const Eigen::MatrixXd& features, double delay_s,
+                             double lag_s) const {
+  const Experiment& e = experiment_;
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(total_rows(), features.cols());
+  const Eigen::Index split = e.loadcell_rows();
+  if (e.has_spring() && path != Path::drive) {
+    Eigen::MatrixXd at_loadcell = features;
+    if (lag_s != 0.0)
+      for (Eigen::Index c = 0; c < features.cols(); ++c)
+        at_loadcell.col(c) = static_cast<const Observation*>(find_effect("rig.lag"))
+                                 ->seen(e.motion.t, features.col(c), lag_s);
+    out.topRows(split) =
+        delay_s == 0.0
+            ? e.at_loadcell.columns(at_loadcell)
+            : Sampler(e.motion.t, e.loadcell_t, e.loadcell_width_s, -delay_s).columns(at_loadcell);
+  }
+  if (e.has_drive() && path == Path::drive)
+    out.middleRows(split, e.drive_rows()) = e.at_drive.columns(features);
+  if (e.has_drive() && path == Path::spring && e.has_spring())
+    out.middleRows(split, e.drive_rows()) = -e.at_drive.columns(features);
+  if (!e.has_spring() && path == Path::rig)
+    out.middleRows(split, e.drive_rows()) = e.at_drive.columns(features);
+  return out;
+}
+
+const Eigen::MatrixXd& Bench::raw_columns(const Piece& piece, double delay_s, double lag_s) const {
+  const std::string key = key_of(piece, delay_s, lag_s);
+  const auto it = raw_cache_.find(key);
+  if (it != raw_cache_.end()) return it->second;
+  auto made = piece.atom ? stack(piece.atom->path, piece.atom->feature, delay_s, lag_s)
+                         : stack(piece.effect->path(),
+                                 piece.effect->features(experiment_.motion, piece.shape), delay_s,
+                                 lag_s);
+  return raw_cache_.emplace(key, std::move(made)).first->second;
+}
+
+const Eigen::MatrixXd& Bench::columns(const Piece& piece, double delay_s, double lag_s) const {
+  const std::string key = key_of(piece, delay_s, lag_s);
+  const auto it = cache_.find(key);
+  if (it != cache_.end()) return it->second;
+  return cache_.emplace(key, (*whitening_)(raw_columns(piece, delay_s, lag_s))).first->second;
+}
+
+Eigen::MatrixXd Bench::screening_columns(const Piece& piece) const {
+  if (const auto* observation = as_observation(piece)) {
+    const Eigen::VectorXd change =
+        observation->seen(experiment_.motion.t, torque_, piece.shape[0]) - torque_;
+    return (*whitening_)(stack(Path::rig, change, 0.0, 0.0));
+  }
+  return columns(piece, 0.0, 0.0);
+}
+
+namespace {
+
+/// First to fourth derivative with respect to time of a signal, as a window of `width` sees it.
+Eigen::MatrixXd derivatives(const std::vector<double>& t, const std::vector<double>& at,
+                            double width, const Eigen::VectorXd& x) {
+  const double h = 0.5 * width;
+  Eigen::MatrixXd shifted(Eigen::Index(at.size()), 5);
+  for (int i = 0; i < 5; ++i) shifted.col(i) = Sampler(t, at, width, (i - 2) * h)(x);
+  Eigen::Matrix<double, 5, 4> stencil;
+  stencil << 1, -1, -6, 1,  //
+      -8, 16, 12, -4,       //
+      0, -30, 0, 6,         //
+      8, 16, -12, -4,       //
+      -1, -1, 6, 1;
+  stencil.col(0) /= 12 * h;
+  stencil.col(1) /= 12 * h * h;
+  stencil.col(2) /= 12 * h * h * h;
+  stencil.col(3) /= h * h * h * h;
+  return shifted * stencil;
+}
+
+}  // namespace
+
+/// What is seen differs from the torque by a filter that nobody declared. To fourth order in time
+/// that is a delay, a width, a skew and a kurtosis: T + c1 dT/dt + ... + c4 d4T/dt4. Each has a
+/// prior of what averaging over one window more or less would do.
+Eigen::MatrixXd Bench::nuisances() const {
+  const Experiment& e = experiment_;
+  const Motion& m = e.motion;
+  const Eigen::Index split = e.loadcell_rows(), rows = e.rows();
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(total_rows(), 1 + prior_rows);
+  out.col(0).head(e.has_spring() ? split : rows).setOnes();  // the load cell's offset
+  if (e.has_spring()) {
+    const double w = e.loadcell_width_s;
+    const double sd[4] = {e.clock_sd_s, w * w / 8.0, w * w * w / 24.0, w * w * w * w / 128.0};
+    const Eigen::MatrixXd d = derivatives(m.t, e.loadcell_t, w, torque_);
+    for (int i = 0; i < 4; ++i) out.col(1 + i).head(split) = d.col(i) * sd[i];
+  }
+  if (e.has_drive()) {
+    const double step = m.t.back() / double(m.size() - 1);
+    const Eigen::VectorXd torque = e.has_spring() ? torque_ : as_array(m.spring_nm).matrix();
+    const Eigen::MatrixXd d = derivatives(m.t, e.drive_t, e.drive_width_s, torque);
+    out.col(5).segment(split, e.drive_rows()) = d.col(0) * 0.1 * step;
+    out.col(6).segment(split, e.drive_rows()) = d.col(1) * step * step;
+  }
+  for (Eigen::Index i = 0; i < prior_rows; ++i)  // unit prior: coefficients count in sd's
+    if (out.col(1 + i).squaredNorm() > 0) out(rows + i, 1 + i) = 1.0;
+  return out;
+}
+
+void Bench::learn_torque(const Hypothesis& hypothesis) {
+  if (experiment_.has_spring()) {
+    const Fit fitted = fit(hypothesis);
+    Eigen::VectorXd spring = Eigen::VectorXd::Zero(torque_.size()), rig = spring;
+    for (std::size_t i = 0; i < hypothesis.size(); ++i) {
+      const Piece& piece = hypothesis[i];
+      const Path path = piece.atom ? piece.atom->path : piece.effect->path();
+      if (path != Path::spring && path != Path::rig) continue;
+      const Eigen::MatrixXd features =
+          piece.atom ? Eigen::MatrixXd(piece.atom->feature)
+                     : piece.effect->features(experiment_.motion, piece.shape);
+      (path == Path::spring ? spring : rig) += features * fitted.amplitudes(i);
+    }
+    experiment_.motion.spring_nm.assign(spring.begin(), spring.end());
+    torque_ = spring + rig;
+  }
+  raw_cache_.clear();
+  raw_nuisance_ = nuisances();
+  set_noise(*whitening_);
+}
+
+void Bench::set_noise(Whitening whitening) {
+  whitening_.emplace(std::move(whitening));
+  cache_.clear();
+  nuisance_ = (*whitening_)(raw_nuisance_);
+}
+
+void Bench::learn_noise(const Hypothesis& hypothesis, const std::vector<Atom>& dense) {
+  if (raw_nuisance_.size() == 0) raw_nuisance_ = nuisances();
+  Fit ignored;
+  Eigen::MatrixXd all = assemble(hypothesis, ignored, false);
+  const Eigen::Index own = all.cols();
+  all.conservativeResize(Eigen::NoChange, own + Eigen::Index(dense.size()));
+  for (std::size_t i = 0; i < dense.size(); ++i)
+    all.col(own + Eigen::Index(i)) = raw_columns({nullptr, {}, &dense[i]}, 0.0, 0.0);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(total_rows());
+  right.head(experiment_.rows()) = experiment_.measured;
+  for (Eigen::Index i = 0; i < experiment_.rows(); ++i)
+    if (!experiment_.usable[std::size_t(i)]) all.row(i).setZero(), right[i] = 0.0;
+  Eigen::VectorXd norm = all.colwise().norm();
+  norm = (norm.array() > 0).select(norm, 1.0);
+  all *= norm.cwiseInverse().asDiagonal();
+  Eigen::MatrixXd normal = all.transpose() * all;
+  normal.diagonal().array() += 1e-7;  // the cells of one axis sum to another's
+  const Eigen::VectorXd x = normal.ldlt().solve(all.transpose() * right);
+  const Eigen::VectorXd residual = right - all * x;
+  set_noise(Whitening(experiment_, residual.head(experiment_.rows())));
+}
+
+Eigen::MatrixXd Bench::assemble(const Hypothesis& hypothesis, Fit& fit, bool whitened) const {
+  // Only here, where no column is held by reference yet.
+  if (raw_cache_.size() > 1500) raw_cache_.clear();
+  if (cache_.size() > 1500) cache_.clear();
+  const Seen seen = seen_by(hypothesis);
+  const auto tied = [](const Piece& p) { return p.effect && !p.effect->tied_to().empty(); };
+  std::vector<const Eigen::MatrixXd*> parts;
+  Eigen::Index total = 0;
+  for (const auto& piece : hypothesis) {
+    parts.push_back(whitened ? &columns(piece, seen.delay_s, seen.lag_s)
+                             : &raw_columns(piece, seen.delay_s, seen.lag_s));
+    fit.first.push_back(total);
+    fit.count.push_back(parts.back()->cols());
+    if (!tied(piece)) total += parts.back()->cols();
+  }
+  const Eigen::MatrixXd& nuisance = whitened ? nuisance_ : raw_nuisance_;
+  Eigen::MatrixXd out(total_rows(), total + nuisance.cols());
+  for (std::size_t i = 0; i < hypothesis.size(); ++i)
+    if (!tied(hypothesis[i])) out.middleCols(fit.first[i], fit.count[i]) = *parts[i];
+  for (std::size_t i = 0; i < hypothesis.size(); ++i)
+    for (std::size_t j = 0; tied(hypothesis[i]) && j < hypothesis.size(); ++j)
+      if (hypothesis[j].effect && hypothesis[j].effect->name() == hypothesis[i].effect->tied_to()) {
+        fit.first[i] = fit.first[j];
+        out.middleCols(fit.first[j], fit.count[j]) += *parts[i];
+      }
+  out.rightCols(nuisance.cols()) = nuisance;
+  return out;
+}
+
+Fit Bench::fit(const Hypothesis& hypothesis) const {
+  Fit out;
+  out.columns = assemble(hypothesis, out, true);
+  out.solution = solve(out.columns, right());
+  return out;
+}
+
+Eigen::VectorXd Bench::raw_residual(const Hypothesis& hypothesis, const Fit& fitted) const {
+  Fit ignored;
+  Eigen::VectorXd out = -(assemble(hypothesis, ignored, false) * fitted.solution.coefficients);
+  out.head(experiment_.rows()) += experiment_.measured;
+  return out;
+}
+
+Eigen::VectorXd Bench::right() const {
+  Eigen::VectorXd measured = Eigen::VectorXd::Zero(total_rows());
+  measured.head(experiment_.rows()) = experiment_.measured;
+  return (*whitening_)(measured);
+}
+
+std::vector<int> Bench::blocks(double seconds) const {
+  const double whole = experiment_.motion.t.back();
+  const int n = std::max(2, int(std::lround(whole / seconds)));
+  std::vector<int> out(std::size_t(total_rows()), -1);
+  for (Eigen::Index i = 0; i < experiment_.rows(); ++i)
+    out[std::size_t(i)] = std::clamp(int(n * experiment_.time(i) / whole), 0, n - 1);
+  return out;
+}
+
+}  // namespace searig::estimator

@@ -1,0 +1,102 @@
+// The test bench: turns terms into whitened columns and fits sets of them.
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "estimator/diagnosis/experiment.h"
+#include "estimator/diagnosis/noise.h"
+#include "estimator/diagnosis/regression.h"
+#include "estimator/physics/effect.h"
+
+namespace searig::estimator {
+
+/// A feature that has no name in the catalogue: what stands in for physics nobody has listed.
+struct Atom {
+  std::string what;     ///< in words: "a bump at a deflection"
+  Path path;            ///< spring, drive or rig
+  std::string channel;  ///< over which it is local: "deflection_rad", "time_s", ...
+  double from = 0.0, to = 0.0;
+  Eigen::VectorXd feature;  ///< on the motion's samples
+};
+
+/// One term of a hypothesis: an effect at a shape, or an atom.
+struct Piece {
+  const Effect* effect = nullptr;
+  std::vector<double> shape;
+  const Atom* atom = nullptr;
+};
+
+/// A set of terms that is fitted together, with the bench's nuisances.
+using Hypothesis = std::vector<Piece>;
+
+struct Fit {
+  Solution solution;
+  Eigen::MatrixXd columns;          ///< whitened: pieces in order, then nuisances
+  std::vector<Eigen::Index> first;  ///< first column of each piece; tied pieces point to theirs
+  std::vector<Eigen::Index> count;
+
+  Eigen::VectorXd amplitudes(std::size_t piece) const {
+    return solution.coefficients.segment(first[piece], count[piece]);
+  }
+};
+
+/// Nuisances, always refitted: the load cell's offset; its delay within what the clock map leaves
+/// open; the shape of its averaging; a small skew and width between current and angles.
+class Bench {
+ public:
+  explicit Bench(Experiment experiment);
+
+  const Experiment& experiment() const { return experiment_; }
+  const Whitening& whitening() const { return *whitening_; }
+
+  /// Learns the noise from what the hypothesis leaves, cleaned by a dense map of it where given
+  /// (see dense_map.h), so that missing physics is not taken for noise.
+  void learn_noise(const Hypothesis& hypothesis, const std::vector<Atom>& dense = {});
+  void set_noise(Whitening whitening);
+  /// The torque that delay, lag and load friction act on: the hypothesis's own.
+  void learn_torque(const Hypothesis& hypothesis);
+
+  Fit fit(const Hypothesis& hypothesis) const;
+  /// Residual before whitening, in N*m, prior rows included.
+  Eigen::VectorXd raw_residual(const Hypothesis& hypothesis, const Fit& fit) const;
+  /// One piece's whitened columns, as the load cell sees them at the given delay and lag.
+  const Eigen::MatrixXd& columns(const Piece& piece, double delay_s, double lag_s) const;
+  /// The same before whitening, one column per amplitude, prior rows included.
+  const Eigen::MatrixXd& raw_columns(const Piece& piece, double delay_s, double lag_s) const;
+  /// Linear stand-in for a delay or lag while candidates are screened.
+  Eigen::MatrixXd screening_columns(const Piece& piece) const;
+  Eigen::MatrixXd stack(Path path, const Eigen::MatrixXd& features, double delay_s,
+                        double lag_s) const;
+  Eigen::VectorXd right() const;
+  /// Nuisance columns in N*m, stacked with their prior rows.
+  const Eigen::MatrixXd& raw_nuisances() const { return raw_nuisance_; }
+  Eigen::Index nuisance_count() const { return raw_nuisance_.cols(); }
+  Eigen::Index total_rows() const { return experiment_.rows() + prior_rows; }
+
+  /// Blocks of about `seconds`; -1 for prior rows.
+  std::vector<int> blocks(double seconds = 10.0) const;
+
+ private:
+  static constexpr Eigen::Index prior_rows = 6;
+
+  Eigen::MatrixXd nuisances() const;
+  Eigen::MatrixXd assemble(const Hypothesis& hypothesis, Fit& fit, bool whitened) const;
+
+  Experiment experiment_;
+  std::optional<Whitening> whitening_;
+  Eigen::VectorXd torque_;  // on the motion's samples, as the load cell would see it undisturbed
+  Eigen::MatrixXd raw_nuisance_, nuisance_;
+  mutable std::map<std::string, Eigen::MatrixXd> raw_cache_, cache_;
+};
+
+/// Delay and lag that a hypothesis holds; zero where it has none.
+struct Seen {
+  double delay_s = 0.0, lag_s = 0.0;
+};
+Seen seen_by(const Hypothesis& hypothesis);
+
+}  // namespace searig::estimator

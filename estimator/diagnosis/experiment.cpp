@@ -1,0 +1,154 @@
+#include "estimator/diagnosis/experiment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "estimator/model/predict.h"
+#include "estimator/physics/single_amplitude.h"
+
+namespace searig::estimator {
+namespace {
+
+constexpr double half_width_s = 0.024;  // of the differentiator
+constexpr double rate_limit_hz = 300.0;
+constexpr double edge_s = 0.1;
+
+double typical_step(const std::vector<double>& t) {
+  if (t.size() < 2) return 1.0;
+  std::vector<double> step(t.size() - 1);
+  for (std::size_t i = 0; i + 1 < t.size(); ++i) step[i] = t[i + 1] - t[i];
+  std::ranges::nth_element(step, step.begin() + std::ptrdiff_t(step.size() / 2));
+  return step[step.size() / 2];
+}
+
+void thin_out(Motion& m, std::size_t every) {
+  const auto thin = [every](std::vector<double>& x) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < x.size(); i += every) x[kept++] = x[i];
+    x.resize(kept);
+  };
+  for (auto* x : {&m.t, &m.theta, &m.theta_rate, &m.theta_accel, &m.q_i, &m.w, &m.a, &m.q_o, &m.w_o,
+                  &m.a_o, &m.current, &m.winding_c, &m.spring_c})
+    thin(*x);
+}
+
+/// The current is averaged like the angles were, over the samples that thinning would drop.
+void average(std::vector<double>& x, std::size_t every) {
+  if (every < 2 || x.empty()) return;
+  std::vector<double> sum(x.size() + 1, 0.0);
+  for (std::size_t i = 0; i < x.size(); ++i) sum[i + 1] = sum[i] + x[i];
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const std::size_t from = i - std::min(i, every / 2);
+    const std::size_t to = std::min(x.size(), from + every + 1 - every % 2);
+    x[i] = (sum[to] - sum[from]) / double(to - from);
+  }
+}
+
+/// A sample that stands apart from its neighbours by six times what samples usually do.
+std::vector<bool> spikes(const Eigen::VectorXd& x) {
+  const auto n = std::size_t(x.size());
+  std::vector<double> apart(n, 0.0);
+  for (std::size_t i = 2; i + 2 < n; ++i) {
+    const auto k = Eigen::Index(i);
+    // Third difference's kin: what a cubic through the neighbours does not predict.
+    apart[i] = std::abs(x[k] - (4.0 * (x[k - 1] + x[k + 1]) - (x[k - 2] + x[k + 2])) / 6.0);
+  }
+  std::vector<double> sorted = apart;
+  std::ranges::nth_element(sorted, sorted.begin() + std::ptrdiff_t(n / 2));
+  const double limit = 6.0 * 1.4826 * sorted[n / 2];
+  std::vector<bool> out(n, false);
+  for (std::size_t i = 2; i + 2 < n; ++i)
+    out[i] = apart[i] > limit && apart[i] >= apart[i - 1] && apart[i] >= apart[i + 1];
+  return out;
+}
+
+/// Whether the input moves throughout the window around each row, one way.
+std::vector<bool> moving(const Motion& m, const std::vector<double>& at, double width_s) {
+  std::vector<bool> out;
+  std::size_t i = 0;
+  for (const double centre : at) {
+    while (i + 1 < m.size() && m.t[i] < centre - width_s) ++i;
+    bool one_way = true;
+    for (std::size_t j = i; j < m.size() && m.t[j] <= centre + width_s; ++j)
+      one_way = one_way && std::abs(m.w[j]) > moving_rad_s && m.w[j] * m.w[i] > 0;
+    out.push_back(one_way);
+  }
+  return out;
+}
+
+void lay_loadcell_rows(Experiment& e, const Signals& s) {
+  e.loadcell_t = s.loadcell.t_s;
+  for (double& t : e.loadcell_t) t -= e.start_s;
+  const auto n = Eigen::Index(s.loadcell.torque_nm.size());
+  e.loadcell_nm = Eigen::Map<const Eigen::VectorXd>(s.loadcell.torque_nm.data(), n);
+  e.torque_rms = std::sqrt(e.loadcell_nm.squaredNorm() / double(std::max<Eigen::Index>(n, 1)));
+  e.loadcell_width_s = std::min(0.02, typical_step(e.loadcell_t));
+  e.at_loadcell = Sampler(e.motion.t, e.loadcell_t, e.loadcell_width_s);
+}
+
+void lay_drive_rows(Experiment& e) {
+  if (!e.motion.has_drive()) return;
+  if (e.motion.has_spring()) {
+    e.drive_width_s = std::max(0.02, 2.0 * typical_step(e.motion.t));
+    for (double t = edge_s; t < e.motion.t.back() - edge_s; t += e.drive_width_s)
+      e.drive_t.push_back(t);
+  } else {
+    e.drive_width_s = e.loadcell_width_s;
+    e.drive_t = e.loadcell_t;
+  }
+  e.at_drive = Sampler(e.motion.t, e.drive_t, e.drive_width_s);
+}
+
+void mark_usable(Experiment& e) {
+  const double gap_s = 5.0 * typical_step(e.motion.t);
+  const auto spike = spikes(e.loadcell_nm);
+  if (e.has_spring()) {
+    const auto covered = e.at_loadcell.covered(gap_s);
+    for (std::size_t i = 0; i < covered.size(); ++i)
+      e.usable.push_back(covered[i] && !spike[i] && e.loadcell_t[i] > edge_s &&
+                         e.loadcell_t[i] < e.motion.t.back() - edge_s);
+  }
+  if (!e.has_drive()) return;
+  const auto covered = e.at_drive.covered(gap_s);
+  const auto moves = moving(e.motion, e.drive_t, e.drive_width_s);
+  for (std::size_t i = 0; i < covered.size(); ++i)
+    e.usable.push_back(covered[i] && moves[i] && (e.has_spring() || !spike[i]));
+}
+
+}  // namespace
+
+double Experiment::time(Eigen::Index row) const {
+  return row < loadcell_rows() ? loadcell_t[std::size_t(row)]
+                               : drive_t[std::size_t(row - loadcell_rows())];
+}
+
+Experiment prepare(const Signals& signals, double smoothing_rad_s) {
+  if (signals.module.t_s.size() < 100 || signals.loadcell.t_s.size() < 100)
+    throw std::invalid_argument(
+        "too short to diagnose: the module has " + std::to_string(signals.module.t_s.size()) +
+        " samples and the load cell " + std::to_string(signals.loadcell.t_s.size()) +
+        ", of at least 100 each");
+  Experiment e;
+  e.start_s = signals.module.t_s.front();
+  e.motion = motion_of(signals.module, half_width_s);
+  e.motion.smoothing_rad_s = smoothing_rad_s;
+  const auto every = std::max<std::size_t>(
+      1, std::size_t(std::lround(1.0 / (typical_step(e.motion.t) * rate_limit_hz))));
+  average(e.motion.current, every);
+  thin_out(e.motion, every);
+  e.clock_sd_s = signals.clock_ci95_s / 1.96;
+  lay_loadcell_rows(e, signals);
+  // A first idea of the load on the gears; the fit replaces it where there is a spring.
+  e.motion.spring_nm = sample_at(e.loadcell_t, signals.loadcell.torque_nm, e.motion.t);
+  lay_drive_rows(e);
+  if (e.rows() == 0)
+    throw std::invalid_argument(
+        "nothing to compare: the module has neither a deflection nor a current with a velocity");
+  mark_usable(e);
+  e.measured = Eigen::VectorXd::Zero(e.rows());
+  e.measured.head(e.has_spring() ? e.loadcell_rows() : e.rows()) = e.loadcell_nm;
+  return e;
+}
+
+}  // namespace searig::estimator

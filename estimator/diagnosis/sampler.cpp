@@ -1,0 +1,59 @@
+#include "estimator/diagnosis/sampler.h"
+
+#include <algorithm>
+
+namespace searig::estimator {
+
+Sampler::Sampler(const std::vector<double>& t, const std::vector<double>& centres, double width_s,
+                 double shift_s)
+    : t_(Eigen::Map<const Eigen::VectorXd>(t.data(), Eigen::Index(t.size()))) {
+  const auto place = [&](double at) {
+    const auto after = std::ranges::upper_bound(t, at);
+    const auto sample =
+        std::clamp<std::ptrdiff_t>(after - t.begin() - 1, 0, std::ptrdiff_t(t.size()) - 2);
+    return Place{sample, at - t[std::size_t(sample)]};
+  };
+  for (const double centre : centres) {
+    const double from = centre + shift_s - width_s / 2, to = centre + shift_s + width_s / 2;
+    begin_.push_back(place(from));
+    end_.push_back(place(to));
+    inside_.push_back(from >= t.front() && to <= t.back());
+  }
+}
+
+std::vector<bool> Sampler::covered(double gap_s) const {
+  std::vector<bool> out = inside_;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    for (Eigen::Index j = begin_[i].sample; j <= end_[i].sample; ++j)
+      if (t_[j + 1] - t_[j] > gap_s) out[i] = false;
+  return out;
+}
+
+double Sampler::integral_to(const Place& place, const Eigen::VectorXd& x,
+                            const Eigen::VectorXd& integral) const {
+  const Eigen::Index i = place.sample;
+  const double slope = (x[i + 1] - x[i]) / (t_[i + 1] - t_[i]);
+  return integral[i] + place.within_s * (x[i] + 0.5 * slope * place.within_s);
+}
+
+Eigen::VectorXd Sampler::operator()(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd integral(x.size());
+  integral[0] = 0.0;
+  for (Eigen::Index i = 1; i < x.size(); ++i)
+    integral[i] = integral[i - 1] + 0.5 * (x[i] + x[i - 1]) * (t_[i] - t_[i - 1]);
+  Eigen::VectorXd out(rows());
+  for (Eigen::Index i = 0; i < rows(); ++i) {
+    const Place &b = begin_[std::size_t(i)], &e = end_[std::size_t(i)];
+    const double width = t_[e.sample] + e.within_s - t_[b.sample] - b.within_s;
+    out[i] = (integral_to(e, x, integral) - integral_to(b, x, integral)) / width;
+  }
+  return out;
+}
+
+Eigen::MatrixXd Sampler::columns(const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd out(rows(), x.cols());
+  for (Eigen::Index c = 0; c < x.cols(); ++c) out.col(c) = (*this)(x.col(c));
+  return out;
+}
+
+}  // namespace searig::estimator

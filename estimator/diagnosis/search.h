@@ -1,0 +1,93 @@
+// Which terms are missing: forward selection with re-polishing, named effects against unnamed rivals.
+#pragma once
+
+#include <vector>
+
+#include "estimator/diagnosis/bench.h"
+
+namespace searig::estimator {
+
+/// A hypothesis with its best shapes, and how badly it fits.
+struct Scored {
+  Hypothesis hypothesis;
+  /// -2 log likelihood under autoregressive noise fitted to its own residual, up to a constant:
+  /// sum over the blocks of n*log(sd^2), plus the nuisances' priors. Differences compare like
+  /// chi-squared. The drive's sd counts in amperes, so that shrinking both sides gains nothing.
+  double deviance = 0.0;
+  /// Deviance that it must beat its rivals by, per further amplitude and shape value.
+  double penalty = 0.0;
+
+  double cost() const { return deviance + penalty; }
+};
+
+/// A candidate that was held against the same hypothesis.
+struct Contender {
+  Piece piece;
+  Scored scored;
+  double gain = 0.0;  ///< fall of the cost against the hypothesis without it
+};
+
+/// What one step of the selection saw.
+struct Step {
+  Scored before;
+  std::vector<Contender> named, unnamed;  ///< polished, best first
+};
+
+struct Criteria {
+  double least_gain = 30.0;        ///< fall of the cost that a term must bring
+  double least_unnamed_gain = 40;  ///< the same for an atom: there are many of them
+  double least_rho = 0.15;         ///< rms of the term over rms of the noise, in a block it enters
+  double least_of_largest = 0.04;  ///< the same over that of the strongest term found
+  int most_terms = 4;
+};
+
+class Search {
+ public:
+  Search(Bench& bench, const std::vector<Atom>& dense, const std::vector<Atom>& atoms,
+         const Model& model, Criteria criteria = {});
+
+  /// Polishes and scores under the hypothesis's own noise.
+  Scored score(Hypothesis hypothesis);
+
+  /// Holds all candidates against the hypothesis; the best few are polished.
+  Step step(const Scored& from);
+
+  /// Adds named effects while they pass; `trail` gets the steps, the last one being the one that
+  /// added nothing.
+  Scored add_named(Scored from, std::vector<Step>& trail);
+
+  /// Adds atoms while they stand out.
+  Scored add_unnamed(Scored from, int most);
+
+  /// Adds whichever is better at each step, a name or an atom.
+  Scored add_either(Scored from, int most);
+
+  /// Whether the contender is strong enough to be asserted.
+  bool passes(const Contender& contender, const Scored& from);
+
+  /// The same for an atom; small remains of what other terms explain do not count.
+  bool stands_out(const Contender& contender, const Scored& from);
+
+  const Criteria& criteria() const { return criteria_; }
+
+ private:
+  double deviance(const Hypothesis& hypothesis, const Fit& fit) const;
+  Piece extended(const Hypothesis& from, const Effect& effect, std::vector<double> shape) const;
+  std::vector<Piece> shortlist_named(const Hypothesis& from);
+  std::vector<Piece> shortlist_unnamed(const Hypothesis& from, std::size_t most);
+  Hypothesis with(Hypothesis from, const Piece& piece) const;
+  bool believable(const Contender& contender);
+
+  Bench& bench_;
+  const std::vector<Atom>& dense_;
+  const std::vector<Atom>& atoms_;
+  const Model& model_;
+  Criteria criteria_;
+  double largest_ = 0.0;  // strength of the strongest term accepted so far
+};
+
+/// rms over a block of what the fit takes out between two hypotheses, over the rms that remains;
+/// the larger of the two blocks. Both under the later one's noise.
+double strength(Bench& bench, const Scored& without, const Scored& with);
+
+}  // namespace searig::estimator

@@ -1,0 +1,95 @@
+#include "estimator/diagnosis/undecidable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "estimator/diagnosis/regression.h"
+#include "estimator/physics/catalogue.h"
+
+namespace searig::estimator {
+namespace {
+
+constexpr double seen_gain = 30.0;     // what a term must bring to be asserted
+constexpr double visible_share = 0.04; // of the torque's rms: an effect this large should be seen
+constexpr double alike = 0.98;         // squared correlation beyond which two effects are one
+
+struct Visible {
+  const Effect* effect;
+  Eigen::MatrixXd columns;  // whitened
+  double least_share;       // of the torque's rms, to be asserted
+};
+
+/// The shape in the middle of the grid stands for the effect.
+std::vector<Visible> candidates(const Bench& bench, const Hypothesis& hypothesis,
+                                const Projection& projection) {
+  std::vector<Visible> out;
+  const Experiment& e = bench.experiment();
+  for (const Effect* effect : catalogue()) {
+    if (std::ranges::any_of(hypothesis, [&](const Piece& p) { return p.effect == effect; }))
+      continue;
+    if (!effect->applies(e.motion)) continue;
+    const auto grid = effect->shape_grid(e.motion);
+    if (grid.empty()) continue;
+    const Piece piece{effect, grid[grid.size() / 2], nullptr};
+    const Eigen::MatrixXd columns = bench.screening_columns(piece);
+    if (!(columns.norm() > 0)) continue;
+    const double free = projection.gain(columns).independence * columns.col(0).norm();
+    // Amplitude that just passes, as torque: whitened columns count in noise sd's.
+    const double amplitude = std::sqrt(seen_gain) / std::max(free, 1e-12);
+    const double sd = effect->path() == Path::drive ? bench.whitening().drive().sd
+                                                    : bench.whitening().loadcell().sd;
+    const double rms = sd * columns.col(0).norm() /
+                       std::sqrt(double(std::max<Eigen::Index>(1, bench.whitening().used_rows())));
+    out.push_back({effect, columns, amplitude * rms / e.torque_rms});
+  }
+  return out;
+}
+
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f %%", 100.0 * share);
+  return text;
+}
+
+/// Squared correlation of what two effects add beyond the fixed columns.
+double correlation(const Projection& projection, const Visible& a, const Visible& b,
+                   const Eigen::MatrixXd& fixed, const Eigen::VectorXd& right) {
+  const double alone = projection.gain(a.columns).independence * a.columns.norm();
+  if (!(alone > 0)) return 1.0;
+  Eigen::MatrixXd both(fixed.rows(), fixed.cols() + b.columns.cols());
+  both << fixed, b.columns;
+  const double beside = Projection(both, right).gain(a.columns).independence * a.columns.norm();
+  return 1.0 - std::pow(beside / alone, 2);
+}
+
+}  // namespace
+
+std::vector<Undecidable> undecidable(const Bench& bench, const Hypothesis& hypothesis) {
+  const Fit fit = bench.fit(hypothesis);
+  const Eigen::VectorXd right = bench.right();
+  const Projection projection(fit.columns, right);
+  const auto all = candidates(bench, hypothesis, projection);
+  std::vector<Undecidable> out;
+  std::vector<const Visible*> visible;
+  for (const auto& c : all) {
+    if (c.least_share <= visible_share) {
+      visible.push_back(&c);
+      continue;
+    }
+    out.push_back({{c.effect->name()},
+                   "under this motion it would be asserted only above " + percent(c.least_share) +
+                       " of the torque: the fitted terms and the clocks take up the rest",
+                   c.effect->about().separated_by});
+  }
+  for (std::size_t i = 0; i < visible.size(); ++i)
+    for (std::size_t j = i + 1; j < visible.size(); ++j)
+      if (visible[i]->effect->path() == visible[j]->effect->path() &&
+          correlation(projection, *visible[i], *visible[j], fit.columns, right) > alike)
+        out.push_back({{visible[i]->effect->name(), visible[j]->effect->name()},
+                       "under this motion they look alike once the numbers are refitted",
+                       visible[i]->effect->about().separated_by});
+  return out;
+}
+
+}  // namespace searig::estimator

@@ -1,0 +1,13 @@
+// Rivals of the named effects: features that no catalogue entry has. Where one of them wins, the
+// honest answer is `unexplained`, with the place.
+#pragma once
+
+#include <vector>
+
+#include "estimator/diagnosis/bench.h"
+
+namespace searig::estimator {
+
+std::vector<Atom> unnamed_atoms(const Motion& motion);
+
+}  // namespace searig::estimator
