@@ -280,5 +280,18 @@ TEST(Score, ParametersAndIntervalsAreHeldAgainstTheTruth) {
   EXPECT_FALSE(*j.parameters[0].covered);
 }
 
+TEST(Score, AnotherReferenceTemperatureIsTheSamePhysics) {
+  Truth t = truth_about("spring.temperature", "single");
+  t.sealed["truth"] = {{"spring.temperature.per_c", -0.01}, {"spring.temperature.reference_c", 25}};
+  // k*(1 - 0.01*(T - 25)) = 0.9*k*(1 - (0.01/0.9)*(T - 35))
+  const Judgement j = judge(t, says(R"({"findings":[{"effect":"spring.temperature","parameters":[
+      {"name":"per_c","value":-0.0111111,"ci95":[-0.012,-0.010]},
+      {"name":"reference_c","value":35}]}]})"),
+                            "");
+  ASSERT_EQ(j.parameters.size(), 1u);
+  EXPECT_LT(j.parameters[0].relative_error, 1e-4);
+  EXPECT_TRUE(*j.parameters[0].covered);
+}
+
 }  // namespace
 }  // namespace searig::proving

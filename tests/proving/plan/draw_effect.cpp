@@ -203,7 +203,7 @@ Effect rig_effect(const std::string& name, const Rig& rig, const Statistics& s, 
             "pendulum",
             {{"torque_nm", 2 * torque}, {"phase_rad", r.uniform(-1.2, 1.2)}},
             {"torque_nm"},
-            {"torque_nm", "phase_rad"}};
+            {"torque_nm"}};
   if (name == "rig.inertia")
     return {name,
             "rigid",

@@ -50,26 +50,12 @@ void judge_names(const Truth& truth, const json& answer, Judgement& j) {
   j.misnamed = truth.is_nameless() && !sure.empty() && !j.unexplained;
 }
 
-void judge_parameters(const Truth& truth, const json& answer, Judgement& j) {
-  const json& numbers = truth.sealed.at("truth");
-  const json& comparable = list(truth.sealed, "comparable");
-  const bool all = !truth.sealed.contains("comparable");  // practice: every number is
-  for (const auto& f : list(answer, "findings"))
-    for (const auto& p : list(f, "parameters")) {
-      const std::string key = f.value("effect", "") + "." + p.value("name", "");
-      const bool meant =
-          all || std::find(comparable.begin(), comparable.end(), key) != comparable.end();
-      const bool concealed = truth.families.contains(family(f.value("effect", "")));
-      if (!meant || !concealed || !numbers.contains(key) || !p.contains("value") ||
-          !p["value"].is_number())
-        continue;
-      const double is = numbers[key], said = p["value"];
-      Parameter out{key, std::abs(said - is) / std::max(std::abs(is), 1e-12), {}};
-      if (const json& ci = list(p, "ci95");
-          ci.size() == 2 && ci[0].is_number() && ci[1].is_number())
-        out.covered = ci[0].get<double>() <= is && is <= ci[1].get<double>();
-      j.parameters.push_back(out);
-    }
+void judge_numbers(const Truth& truth, const json& answer, Judgement& j) {
+  for (const auto& f : list(answer, "findings")) {
+    if (!truth.families.contains(family(f.value("effect", "")))) continue;
+    const auto numbers = judge_parameters(truth, f);
+    j.parameters.insert(j.parameters.end(), numbers.begin(), numbers.end());
+  }
 }
 
 void judge_place(const Truth& truth, const json& answer, const std::filesystem::path& recording,
@@ -117,7 +103,7 @@ Judgement judge(const Truth& truth, const Run& run, const std::filesystem::path&
   j.failed = !run.error.empty() || !run.answer.is_object();
   const json answer = j.failed ? json::object() : run.answer;
   judge_names(truth, answer, j);
-  judge_parameters(truth, answer, j);
+  judge_numbers(truth, answer, j);
   judge_place(truth, answer, recording, j);
   judge_heldout(truth, answer, j);
   return j;

@@ -6,16 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "tests/proving/score/parameters.h"
 #include "tests/proving/score/run.h"
 #include "tests/proving/score/truth.h"
 
 namespace searig::proving {
 
-struct Parameter {
-  std::string name;
-  double relative_error;
-  std::optional<bool> covered;  ///< by its 95 % interval, when one is given
-};
 struct Asserted {
   double probability;
   bool true_one;

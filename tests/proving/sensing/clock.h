@@ -30,6 +30,8 @@ struct LinkPlan {
 class Link {
  public:
   Link(const LinkPlan& plan, Random random) : plan_(plan), random_(random) {
+    // The adapter's timer has a crystal of its own: its phase wanders past every sample.
+    plan_.usb_timer_s *= 1.0 + 1e-3 * random_.uniform(-1.0, 1.0);
     timer_phase_s_ = random_.uniform(0.0, plan.usb_timer_s);
   }
   double arrival(double t_true_s);
