@@ -49,7 +49,7 @@ Plot torque_plot(const History& history) {
   plot.series = {
       {"measured by the load cell", history.measured_t_s, history.measured_nm, Style::line,
        Hue::ink},
-      {"estimated from the spring", history.t_s, history.estimated_nm, Style::line, Hue::blue}};
+      {history.estimated_from, history.t_s, history.estimated_nm, Style::line, Hue::blue}};
   return plot;
 }
 
@@ -148,12 +148,13 @@ void write_clocks(HtmlReport& report, const Session& session, const LiveRig& rig
   if (loadcell_s.empty()) return;
   const double middle_s = loadcell_s[loadcell_s.size() / 2];
   const double off_s = found.to_module(middle_s) - truth.to_module(middle_s);
-  report.table({"load-cell clock to module clock", "found", "truth"},
-               {{"rate against the module (ppm)", number(1e6 * (found.rate - 1.0), 2),
-                 number(1e6 * (truth.rate - 1.0), 2)},
-                {"time at the middle: error (ms)", number(1e3 * off_s, 2), "0"},
-                {"95 % interval (ms)", "±" + number(1e3 * found.ci95_s, 2), "–"}},
-               "The truth is known because the rig is simulated.");
+  report.table(
+      {"load-cell clock to module clock", "found", "truth"},
+      {{"rate of the load cell's clock against the module's (ppm)",
+        number(1e6 * (1.0 / found.rate - 1.0), 2), number(1e6 * (1.0 / truth.rate - 1.0), 2)},
+       {"error of the mapped time at the middle (ms)", number(1e3 * off_s, 2), "0"},
+       {"95 % interval (ms)", "±" + number(1e3 * found.ci95_s, 2), "–"}},
+      "The truth is known because the rig is simulated.");
 }
 
 void write_streams(HtmlReport& report, const Session& session) {

@@ -19,16 +19,19 @@ class SimulatedContent : public Content {
   LiveRig rig_;
 };
 
+/// The libraries' notes begin small and end without a stop.
+QString sentence(QString words) {
+  if (!words.isEmpty()) words[0] = words[0].toUpper();
+  return words + QStringLiteral(". ");
+}
+
 class RecordedContent : public Content {
  public:
   RecordedContent(Session session, const std::optional<estimator::Model>& model)
       : session_(std::move(session)) {
     const auto evaluation = estimator::evaluate(session_.signals, model ? &*model : nullptr);
     history_ = history_of(session_.signals, evaluation);
-    for (const auto& note : evaluation.notes) {
-      if (!remark_.isEmpty()) remark_ += QStringLiteral("; ");
-      remark_ += QString::fromStdString(note);
-    }
+    for (const auto& note : evaluation.notes) remark_ += sentence(QString::fromStdString(note));
   }
 
   QString name() const override { return QString::fromStdString(session_.recording.name); }

@@ -44,11 +44,13 @@ MainWindow::MainWindow(const Theme& theme) : theme_(theme) {
   layout->addWidget(stiffness_plot_, 3);
   setCentralWidget(middle);
   status_ = new QLabel(this);
+  status_->setContentsMargins(12, 0, 0, 0);  // in line with the numbers above
   statusBar()->addWidget(status_, 1);
   statusBar()->setSizeGripEnabled(false);
 
   make_actions();
   set_theme(theme);
+  for (auto* plot : {torque_plot_, weight_plot_, stiffness_plot_}) plot->show_range(view_);
   timer_.setInterval(frame_ms);
   connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
   hint_->setText(
@@ -103,6 +105,10 @@ void MainWindow::show_content(std::unique_ptr<Content> content) {
   torque_plot_->set_data(1, &history.t_s, &history.estimated_nm);
   weight_plot_->set_data(0, &history.t_s, &history.weight);
   stiffness_plot_->set_data(0, &history.t_s, &history.stiffness_nm_per_rad);
+  torque_plot_->rename_curve(1, QString::fromStdString(history.estimated_from));
+  const bool online = content->live() || !history.stiffness_nm_per_rad.empty();
+  weight_plot_->setVisible(online);
+  stiffness_plot_->setVisible(online);
   content_ = std::move(content);  // the plots have let go of the old one's columns
   pause_action_->setEnabled(content_->live());
   pause_action_->setChecked(false);

@@ -62,7 +62,7 @@ class MainWindow : public QMainWindow {
   double ahead_s_ = 0.0;
   double shown_until_s_ = 0.0;  // while paused the data go on and the view stays
   double span_s_ = 20.0;        // of the live view
-  Range view_;                  // of a recording or a paused view
+  Range view_{0.0, 20.0};       // of a recording or a paused view
 };
 
 }  // namespace searig::app::desktop

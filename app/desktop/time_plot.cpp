@@ -121,17 +121,26 @@ void TimePlot::follow_data() {
 }
 
 void TimePlot::set_theme(const Theme& theme) {
-  QString text = QStringLiteral("<b>%1</b>").arg(title_.toHtmlEscaped());
-  for (auto& curve : curves_) {
-    const QColor colour = theme.colour(curve.hue);
-    curve.curve->setPen(colour, 1.0);
-    text += QStringLiteral(
-                "&nbsp;&nbsp;&nbsp;&nbsp;<span style='color:%1'><b>&#x2501;&#x2501;</b></span> %2")
-                .arg(colour.name(), curve.name.toHtmlEscaped());
-  }
-  caption_->setText(text);
+  theme_ = theme;
+  for (auto& curve : curves_) curve.curve->setPen(theme.colour(curve.hue), 1.0);
   grid_->setMajorPen(theme.colour(grid), 1.0);
   plot_->setCanvasBackground(theme.colour(ground));
+  write_caption();
+}
+
+void TimePlot::rename_curve(std::size_t curve, const QString& name) {
+  curves_[curve].name = name;
+  write_caption();
+}
+
+void TimePlot::write_caption() {
+  QString text = QStringLiteral("<b>%1</b>").arg(title_.toHtmlEscaped());
+  for (const auto& curve : curves_) {
+    text += QStringLiteral(
+                "&nbsp;&nbsp;&nbsp;&nbsp;<span style='color:%1'><b>&#x2501;&#x2501;</b></span> %2")
+                .arg(theme_.colour(curve.hue).name(), curve.name.toHtmlEscaped());
+  }
+  caption_->setText(text);
 }
 
 }  // namespace searig::app::desktop

@@ -22,6 +22,7 @@ class TimePlot : public QWidget {
   TimePlot(const QString& title, const QString& y_label, QWidget* parent = nullptr);
 
   void add_curve(const QString& name, Hue hue);
+  void rename_curve(std::size_t curve, const QString& name);
   /// The columns belong to the caller, who keeps them alive.
   void set_data(std::size_t curve, const std::vector<double>* x, const std::vector<double>* y);
   /// Keeps the y axis where it is; otherwise it follows the data in view.
@@ -43,8 +44,10 @@ class TimePlot : public QWidget {
   };
 
   void follow_data();
+  void write_caption();
 
   QString title_;
+  Theme theme_{false};
   QLabel* caption_;
   QwtPlot* plot_;
   QwtPlotGrid* grid_;  // owned by plot_

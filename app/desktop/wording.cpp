@@ -83,8 +83,8 @@ QString status_words(const Recording& recording, const acquisition::ClockMap& cl
                   QStringLiteral("    |    ") +
                   stream_words(QStringLiteral("load cell"), recording.loadcell);
   if (!recording.one_clock && !clock.why.empty()) {
-    words += QStringLiteral("    |    clock rates differ by %1 ppm")
-                 .arg(said(1e6 * (clock.rate - 1), 1));
+    words += QStringLiteral("    |    the load cell's clock runs %1 ppm against the module's")
+                 .arg(said(1e6 * (1.0 / clock.rate - 1.0), 1));
   }
   return words;
 }

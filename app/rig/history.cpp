@@ -39,12 +39,14 @@ History history_of(const estimator::Signals& signals, const estimator::Evaluatio
   if (evaluation.online) {
     for (const auto& estimate : evaluation.online->track) history.append(estimate, start_s);
   } else if (evaluation.best_fit) {
+    history.estimated_from = "best fit of the spring";
     history.t_s = since(start_s, module.t_s);
     for (const double theta : module.deflection_rad) {
       history.estimated_nm.push_back(evaluation.best_fit->k_nm_per_rad * theta +
                                      evaluation.best_fit->offset_nm);
     }
   } else if (evaluation.current) {
+    history.estimated_from = "motor current";
     history.t_s = since(start_s, module.t_s);
     for (const double current : module.current_a) {
       history.estimated_nm.push_back(evaluation.current->gain_nm_per_a * current +

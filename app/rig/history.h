@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "estimator/evaluation/evaluation.h"
@@ -13,8 +14,9 @@ namespace searig::app {
 /// Times are seconds since the first telemetry.
 struct History {
   std::vector<double> t_s;
-  std::vector<double> estimated_nm;             ///< k*theta with the k of that moment
-  std::vector<double> current_nm;               ///< what the motor current says
+  std::vector<double> estimated_nm;  ///< k*theta with the k of that moment
+  std::string estimated_from = "estimated online from the spring";  ///< for a legend
+  std::vector<double> current_nm;                                   ///< what the motor current says
   std::vector<double> weight;                   ///< trust in the motor current, 0..1
   std::vector<double> stiffness_nm_per_rad;     ///< empty where none could be estimated
   std::vector<double> stiffness_sd_nm_per_rad;  ///< the filter's own; no confidence interval
