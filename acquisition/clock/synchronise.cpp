@@ -77,7 +77,7 @@ ClockMap on_one_clock(const Recording& recording) {
   map.why = "both streams are on one clock";
   if (module.size() > 1 || loadcell.size() > 1)
     map.why += printed(
-        "; it began anew %.0f times without host stamps, so only the longest run of "
+        "; it began anew (%.0f times) without host stamps, so only the longest run of "
         "%.0f rows can be used",
         double(std::max(module.size(), loadcell.size()) - 1), double(module[of_module].size()));
   map.why += ".";

@@ -13,7 +13,7 @@ CsvFile::CsvFile(std::filesystem::path path, bool has_header)
     : path_(std::move(path)), text_(read_text_file(path_)) {
   if (std::string_view(text_).substr(0, 3) == "\xEF\xBB\xBF") body_ = 3;  // byte order mark
   if (text_.find_first_not_of(" \t\r\n", body_) == std::string::npos)
-    throw InputError(path_.string() + ", line 1: the file is empty.");
+    throw InputError(path_.string() + ", line 1, column 1: the file is empty.");
   if (!has_header) {
     std::size_t next = 0;
     separator_ = separator_of(line_at(text_, body_, next));
@@ -44,7 +44,8 @@ void CsvFile::refuse_missing(std::string_view column) const {
   std::string there;
   for (const std::string& name : header_) there += (there.empty() ? "" : ", ") + name;
   throw InputError(path_.string() + ", line " + std::to_string(body_line_ - 1) + ": column " +
-                   std::string(column) + " is missing; the header names " + there + ".");
+                   std::string(column) + " is missing; the header names " + quotable(there, 300) +
+                   ".");
 }
 
 CsvRows CsvFile::read(std::span<const std::size_t> columns, Faults faults) const {

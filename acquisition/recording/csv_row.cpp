@@ -66,10 +66,15 @@ Field parse(std::string_view field, double& value) {
 
 }  // namespace
 
-std::string why_bad(const RowResult& row) {
-  std::string shown(trimmed(row.bad_text).substr(0, 40));
+std::string quotable(std::string_view text, std::size_t longest) {
+  std::string shown(text.substr(0, longest));
   std::replace_if(
       shown.begin(), shown.end(), [](unsigned char c) { return c < 0x20 || c > 0x7e; }, '?');
+  return text.size() > longest ? shown + "..." : shown;
+}
+
+std::string why_bad(const RowResult& row) {
+  const std::string shown = quotable(trimmed(row.bad_text), 40);
   if (row.bad == Field::empty) return "the number is missing";
   if (row.bad == Field::not_finite) return "'" + shown + "' is not a finite number";
   return "'" + shown + "' is not a number";

@@ -39,6 +39,9 @@ struct RowResult {
 RowResult parse_row(std::string_view line, char separator, std::span<const std::size_t> slots,
                     std::span<double> values);
 
+/// Text from a file as it may stand in a sentence: printable, and not too long.
+std::string quotable(std::string_view text, std::size_t longest);
+
 /// Why the row's bad field is none: "'abc' is not a number".
 std::string why_bad(const RowResult& row);
 

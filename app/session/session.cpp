@@ -1,56 +1,24 @@
 #include "app/session/session.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <functional>
 #include <string_view>
 
-#include "acquisition/error.h"
+#include "acquisition/clock/placed_rows.h"
 #include "acquisition/recording/text_file.h"
 
 namespace searig::app {
 namespace {
 
+using acquisition::at_rows;
+using acquisition::PlacedRows;
 using acquisition::Recording;
 using acquisition::Stream;
 
-/// The rows of a stream that have a place on the module's clock, in its order, each time once.
-struct Placed {
-  std::vector<std::size_t> rows;
-  std::vector<double> t_s;
-};
-
-Placed placed(const Stream& stream, const std::vector<acquisition::RunMap>& runs) {
-  const std::vector<double> t_s = acquisition::on_module_clock(stream, runs);
-  std::vector<std::size_t> order(t_s.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::erase_if(order, [&](std::size_t row) { return std::isnan(t_s[row]); });
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return t_s[a] < t_s[b]; });
-  Placed result;
-  for (const std::size_t row : order) {
-    if (!result.t_s.empty() && t_s[row] == result.t_s.back()) continue;
-    result.rows.push_back(row);
-    result.t_s.push_back(t_s[row]);
-  }
-  return result;
-}
-
-/// A channel at those rows; empty where the stream has none.
-std::vector<double> at(const Stream& stream, std::string_view channel,
-                       const std::vector<std::size_t>& rows) {
-  const std::vector<double>& values = stream.channel(channel);
-  std::vector<double> result;
-  if (values.empty()) return result;
-  result.reserve(rows.size());
-  for (const std::size_t row : rows) result.push_back(values[row]);
-  return result;
-}
-
-estimator::ModuleSignals module_signals(const Stream& module, const Placed& at_rows) {
-  const auto take = [&](std::string_view channel) { return at(module, channel, at_rows.rows); };
+estimator::ModuleSignals module_signals(const Stream& module, const PlacedRows& rows) {
+  const auto take = [&](std::string_view name) { return at_rows(module.channel(name), rows); };
   estimator::ModuleSignals signals;
-  signals.t_s = at_rows.t_s;
+  signals.t_s = rows.t_s;
   signals.input_angle_rad = take("input_angle_rad");
   signals.output_angle_rad = take("output_angle_rad");
   signals.deflection_rad = take("deflection_rad");
@@ -70,12 +38,12 @@ estimator::ModuleSignals module_signals(const Stream& module, const Placed& at_r
   return signals;
 }
 
-estimator::LoadcellSignals loadcell_signals(const Recording& recording, const Placed& at_rows) {
+estimator::LoadcellSignals loadcell_signals(const Recording& recording, const PlacedRows& rows) {
   estimator::LoadcellSignals signals;
-  signals.t_s = at_rows.t_s;
-  signals.torque_nm = at(recording.loadcell, "torque_nm", at_rows.rows);
+  signals.t_s = rows.t_s;
+  signals.torque_nm = at_rows(recording.loadcell.channel("torque_nm"), rows);
   if (signals.torque_nm.empty()) {
-    signals.torque_nm = at(recording.loadcell, "force_n", at_rows.rows);
+    signals.torque_nm = at_rows(recording.loadcell.channel("force_n"), rows);
     for (double& torque : signals.torque_nm) torque *= recording.lever_arm_m;
   }
   return signals;
@@ -87,10 +55,12 @@ Session open_session(const std::filesystem::path& recording) {
   Session session;
   session.recording = acquisition::read_recording(recording);
   session.clock = acquisition::synchronise(session.recording);
-  session.signals.module = module_signals(
-      session.recording.module, placed(session.recording.module, session.clock.module_runs));
+  const Stream& module = session.recording.module;
+  const Stream& loadcell = session.recording.loadcell;
+  session.signals.module =
+      module_signals(module, acquisition::place_rows(module, session.clock.module_runs));
   session.signals.loadcell = loadcell_signals(
-      session.recording, placed(session.recording.loadcell, session.clock.loadcell_runs));
+      session.recording, acquisition::place_rows(loadcell, session.clock.loadcell_runs));
   session.signals.clock_ci95_s = session.clock.ci95_s;
   session.signals.gear_ratio = session.recording.gear_ratio;
   return session;

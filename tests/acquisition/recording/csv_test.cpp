@@ -94,7 +94,7 @@ TEST(Csv, RefusesAFileThatIsMostlyGarbled) {
 TEST(Csv, RefusesFilesWithNothingToRead) {
   TemporaryFolder folder;
   EXPECT_TRUE(says(refusal([&] { CsvFile(folder.write("a.csv", ""), true); }),
-                   "a.csv, line 1: the file is empty."));
+                   "a.csv, line 1, column 1: the file is empty."));
   EXPECT_TRUE(says(refusal([&] { CsvFile(folder.write("a.csv", " \n\n"), true); }), "empty"));
   EXPECT_TRUE(says(refusal([&] { CsvFile(folder.path() / "none.csv", true); }), "none.csv"));
   EXPECT_TRUE(says(refusal([&] { CsvFile(folder.path(), true); }), "directory"));

@@ -135,7 +135,7 @@ TEST(Recording, TellsAClockThatIsNotSorted) {
 TEST(Recording, TellsEmptyFilesAndSingleSamples) {
   NativeRecording empty;
   empty.module.clear();
-  EXPECT_TRUE(says(empty.refused(), "module.csv, line 1: the file is empty"));
+  EXPECT_TRUE(says(empty.refused(), "module.csv, line 1, column 1: the file is empty"));
   NativeRecording single;
   single.loadcell.resize(2);
   EXPECT_TRUE(says(single.refused(), "loadcell.csv, line 2, column t_s: this is the only sample"));
