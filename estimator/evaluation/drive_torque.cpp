@@ -58,16 +58,17 @@ DriveTorque from_model(const ModuleSignals& module, const Model& model, DriveTer
   return out;
 }
 
-double rms(const std::vector<double>& x) {
+double mean_magnitude(const std::vector<double>& x) {
   double sum = 0;
-  for (const double value : x) sum += value * value;
-  return std::sqrt(sum / static_cast<double>(x.size()));
+  for (const double value : x) sum += std::abs(value);
+  return sum / static_cast<double>(x.size());
 }
 
 // (3) at every module sample, with gamma at the size of this recording.
 std::vector<double> trust_weights(const ModuleSignals& module) {
   const auto theta = differentiate(module.t_s, module.deflection_rad, half_width_s);
-  const Size size{paper_size.torque_nm, rms(theta.value), rms(theta.first), paper_size.step_s};
+  const Size size{paper_size.torque_nm, mean_magnitude(theta.value), mean_magnitude(theta.first),
+                  paper_size.step_s};
   const double gamma =
       PaperUnits{paper_gamma_rad2_per_s, paper_alpha, paper_beta}.scaled_to(size).gamma;
   std::vector<double> out(theta.value.size());

@@ -1,6 +1,9 @@
 #include "estimator/evaluation/evaluation.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <stdexcept>
 
 #include "estimator/evaluation/online_result.h"
@@ -10,13 +13,32 @@ namespace searig::estimator {
 
 namespace {
 
-// The load-cell samples that the module's telemetry covers.
-Signals within_telemetry(Signals signals) {
+constexpr double longest_gap = 10;  // telemetry intervals over which to interpolate
+
+double median_interval(const std::vector<double>& t) {
+  std::vector<double> intervals(t.size());
+  std::adjacent_difference(t.begin(), t.end(), intervals.begin());
+  const auto middle = intervals.begin() + std::ssize(intervals) / 2;
+  std::nth_element(intervals.begin() + 1, middle, intervals.end());
+  return *middle;
+}
+
+// Whether t is one of the telemetry's times or lies between two that are close to each other.
+bool covered(const std::vector<double>& telemetry, double t, double longest_s) {
+  const auto after = std::lower_bound(telemetry.begin(), telemetry.end(), t);
+  if (after == telemetry.end()) return false;
+  return *after == t || (after != telemetry.begin() && *after - *(after - 1) <= longest_s);
+}
+
+// Without the load-cell samples that are no numbers or that no telemetry covers.
+Signals where_covered(Signals signals) {
+  const auto& telemetry = signals.module.t_s;
+  if (telemetry.size() < 2) return signals;
+  const double longest_s = longest_gap * median_interval(telemetry);
   auto& [t, torque] = signals.loadcell;
-  const auto& module_t = signals.module.t_s;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < t.size() && !module_t.empty(); ++i) {
-    if (t[i] < module_t.front() || t[i] > module_t.back() || !std::isfinite(torque[i])) continue;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (!std::isfinite(torque[i]) || !covered(telemetry, t[i], longest_s)) continue;
     t[kept] = t[i];
     torque[kept++] = torque[i];
   }
@@ -85,10 +107,14 @@ void evaluate_current(const Signals& signals, const DriveTorque& drive, Evaluati
 }  // namespace
 
 Evaluation evaluate(const Signals& recorded, const Model* model, const EvaluationOptions& options) {
-  const Signals signals = within_telemetry(recorded);
+  const Signals signals = where_covered(recorded);
   check(signals);
   const DriveTorque drive = drive_torque(signals, model, options.drive);
   Evaluation out;
+  if (const auto left_out = recorded.loadcell.t_s.size() - signals.loadcell.t_s.size()) {
+    out.notes.push_back(std::to_string(left_out) +
+                        " load-cell samples are left out: no telemetry at their time");
+  }
   out.seconds = signals.module.t_s.back() - signals.module.t_s.front();
   evaluate_spring(signals, out);
   evaluate_current(signals, drive, out);

@@ -60,8 +60,9 @@ struct Evaluation {
   std::vector<std::string> notes;  ///< what was switched off and why; one sentence each
 };
 
-/// All errors are taken at the load cell's own samples, of those within the module's telemetry.
-/// Throws std::invalid_argument with one sentence where there is nothing to compare with.
+/// All errors are taken at the load cell's own samples, of those that the module's telemetry
+/// covers: at one of its times, or between two without a gap. Throws std::invalid_argument with one
+/// sentence where there is nothing to compare with.
 Evaluation evaluate(const Signals& signals, const Model* model = nullptr,
                     const EvaluationOptions& options = {});
 

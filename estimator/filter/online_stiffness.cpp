@@ -32,9 +32,11 @@ const OnlineOptions& checked(const OnlineOptions& options) {
   return options;
 }
 
-// The variance that stands for a share of the module's own torque over deflection.
+// The variance that stands for a share of the module's own torque over deflection; no numbers that
+// a file can hold make it 0 or infinite.
 double variance_of(double relative_sd, const Size& size) {
-  return std::pow(relative_sd * size.torque_nm / size.deflection_rad, 2);
+  const double variance = std::pow(relative_sd * size.torque_nm / size.deflection_rad, 2);
+  return std::clamp(variance, 1e-200, 1e200);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace searig::estimator {
 
-/// Root mean squares while the spring moves, and the time of a filter step.
+/// Mean magnitudes while the spring moves, and the time of a filter step.
 struct Size {
   double torque_nm;
   double deflection_rad;
@@ -21,7 +21,7 @@ struct Size {
 /// of it; these are round numbers for a rubber spring of about 50 N*m/rad, a peak above 6 N*m and
 /// telemetry at 500 Hz.
 constexpr Size paper_size{
-    .torque_nm = 2.5, .deflection_rad = 0.05, .deflection_rate_rad_s = 0.15, .step_s = 0.002};
+    .torque_nm = 2, .deflection_rad = 0.04, .deflection_rate_rad_s = 0.12, .step_s = 0.002};
 
 /// What the paper's three numbers become for a module of another size. The filter works on k in
 /// N*m/rad all the while; this is the same as to run it in the paper's own N*m, rad and s on
@@ -44,7 +44,8 @@ struct PaperUnits {
 };
 
 /// Learns the size from the stream itself, without looking ahead. Only samples count at which the
-/// spring is seen to move: a rest must not shrink the size, nor may noise pass for motion.
+/// spring is seen to move: a rest must not shrink the size, nor may noise pass for motion. Mean
+/// magnitudes, for one garbled sample would rule a mean square for long.
 class SizeTracker {
  public:
   SizeTracker(double half_width_s, std::size_t samples_per_step)
@@ -59,17 +60,17 @@ class SizeTracker {
     const bool moves = std::abs(rated.rate) * half_width_ > sigma;
     if (!moves || std::abs(rated.smooth) < deflection_over_noise * sigma) return;
     ++moving_;
-    torque2_ += rated.sample.drive * rated.sample.drive;
-    deflection2_ += rated.smooth * rated.smooth;
-    rate2_ += rated.rate * rated.rate;
+    torque_ += std::abs(rated.sample.drive);
+    deflection_ += std::abs(rated.smooth);
+    rate_ += std::abs(rated.rate);
   }
 
   /// Nothing until enough motion has been seen.
   std::optional<Size> size() const {
-    if (moving_ < least_samples || !(torque2_ > 0)) return std::nullopt;
-    const auto rms = [this](double sum) { return std::sqrt(sum / static_cast<double>(moving_)); };
+    if (moving_ < least_samples || !(torque_ > 0)) return std::nullopt;
+    const double n = static_cast<double>(moving_);
     const double sample_s = (last_t_ - first_t_) / static_cast<double>(seen_ - 1);
-    return Size{rms(torque2_), rms(deflection2_), rms(rate2_),
+    return Size{torque_ / n, deflection_ / n, rate_ / n,
                 sample_s * static_cast<double>(samples_per_step_)};
   }
 
@@ -81,7 +82,7 @@ class SizeTracker {
   std::size_t samples_per_step_;
   double first_t_ = 0, last_t_ = 0;
   std::size_t seen_ = 0, moving_ = 0;
-  double noise2_ = 0, torque2_ = 0, deflection2_ = 0, rate2_ = 0;
+  double noise2_ = 0, torque_ = 0, deflection_ = 0, rate_ = 0;
 };
 
 }  // namespace searig::estimator

@@ -126,6 +126,20 @@ TEST(Evaluate, ComparesOnlyWhereThereIsTelemetry) {
   EXPECT_EQ(evaluate(signals).best_fit->k_nm_per_rad, k);
 }
 
+// Interpolating over a lost second would compare the load cell with a motion that never was.
+TEST(Evaluate, LeavesOutWhatFallsIntoAGap) {
+  const BenchTop bench;
+  Signals signals = bench.record(10);
+  auto& module = signals.module;
+  for (auto* channel : {&module.t_s, &module.deflection_rad, &module.input_angle_rad,
+                        &module.output_angle_rad, &module.current_a}) {
+    channel->erase(channel->begin() + 2000, channel->begin() + 2500);
+  }
+  const Evaluation result = evaluate(signals);
+  EXPECT_NEAR(result.best_fit->k_nm_per_rad, 40, 0.002);
+  EXPECT_TRUE(says(result.notes, "50 load-cell samples are left out"));
+}
+
 TEST(Evaluate, SaysWhenASignIsWrong) {
   Signals signals = BenchTop().record(10);
   for (double& torque : signals.loadcell.torque_nm) torque = -torque;

@@ -157,6 +157,29 @@ TEST(OnlineStiffness, StaysPositiveAndFiniteWhateverComes) {
   }
 }
 
+TEST(OnlineStiffness, GetsOverGarbledSamples) {
+  HandMade signals;
+  signals.make(60);
+  for (std::size_t i = 1000; i + 500 < signals.drive.size() / 2; i += 1000) {
+    signals.drive[i] = 100;  // N*m, of 4
+    signals.theta[i + 500] = -1;
+  }
+  EXPECT_NEAR(last_k(signals, {.initial_k_nm_per_rad = 50}), 50, 0.5);
+}
+
+TEST(OnlineStiffness, StaysFiniteWithNumbersThatNoSensorHas) {
+  for (const double garbled : {1e150, 1e300}) {
+    HandMade signals;
+    signals.make(20);
+    signals.drive[1000] = garbled;
+    signals.theta[2000] = -garbled;
+    for (const auto& estimate : run(signals, {.initial_k_nm_per_rad = 50})) {
+      ASSERT_TRUE(std::isfinite(estimate.k_nm_per_rad));
+      ASSERT_GT(estimate.k_nm_per_rad, 0);
+    }
+  }
+}
+
 TEST(OnlineStiffness, RefusesOptionsThatMakeNoSense) {
   EXPECT_THROW(OnlineStiffness({.initial_k_nm_per_rad = 0}), std::invalid_argument);
   EXPECT_THROW(OnlineStiffness({.initial_k_nm_per_rad = -3}), std::invalid_argument);
