@@ -73,7 +73,8 @@ Rig draw_rig(const Item& item, Random random) {
   const bool locked = may_be_locked(item) && random.chance(0.12);
   if (locked) plan.motor_amplitude_rad = deflection, plan.hand_amplitude_rad = 0.0;
   rig.motion = plan_motion(plan, rig.duration_s + rig.preroll_s, random.fork("motion"));
-  const double swing = plan.motor_amplitude_rad, speed = 1.9 * swing * plan.pace;
+  const double swing = plan.motor_amplitude_rad;
+  const double speed = 1.9 * (locked ? 0.5 : swing) * plan.pace;  // what the gear train is made for
 
   b.gear_ratio =
       random.pick(std::vector<double>{6, 10, 16, 25, 50, 80, 100, 121, 160, 200, 300, 349, 400});

@@ -147,7 +147,8 @@ Case attempt(const Item& item, const Random& random) {
 /// Some friction makes some rigs chatter, and then nothing can be seen in the current any more.
 bool is_calm(const Case& c) {
   return c.reachable.spring.after < 0.03 * c.sensing.torque_rms_nm &&
-         c.reachable.drive.after < 0.06 * c.sensing.torque_rms_nm;
+         c.reachable.drive.after < 0.06 * c.sensing.torque_rms_nm &&
+         c.reachable.drive.after < 6.0 * c.reachable.spring.after;
 }
 
 /// A null must be one, and an effect as strong as the stratum says; not every rig can show it.

@@ -103,7 +103,7 @@ const std::vector<Names> triples{
 const std::vector<std::pair<std::string, Names>> poor{
     {"slow_triangle",
      {"spring.viscous", "drive.coulomb", "spring.hysteresis", "rig.delay", "drive.viscous",
-      "drive.stribeck", "spring.cubic", "drive.load_friction"}},
+      "rig.zero_drift", "spring.cubic", "drive.load_friction"}},
     {"sine",
      {"spring.viscous", "drive.viscous", "drive.inertia", "spring.relaxation", "rig.lag",
       "rig.inertia", "spring.hysteresis", "drive.coulomb"}},
