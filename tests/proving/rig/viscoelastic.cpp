@@ -65,8 +65,8 @@ std::unique_ptr<Torque> make_relaxation(const Effect& e) {
     return make_maxwell_branches(springpot_branches(e.at("k1_nm_per_rad"), e.at("exponent")));
   std::vector<std::pair<double, double>> branches{{e.at("k1_nm_per_rad"), e.at("tau_s")}};
   for (const char* i : {"2", "3"})
-    if (const double k = e.at_or("k" + std::string(i) + "_nm_per_rad", 0.0); k != 0.0)
-      branches.emplace_back(k, e.at("tau" + std::string(i) + "_s"));
+    if (const double k = e.at_or(std::string("k") + i + "_nm_per_rad", 0.0); k != 0.0)
+      branches.emplace_back(k, e.at(std::string("tau") + i + "_s"));
   return make_maxwell_branches(branches);
 }
 
