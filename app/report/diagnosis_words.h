@@ -1,0 +1,37 @@
+// The diagnosis in sentences that a technician understands.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "estimator/diagnosis/diagnosis.h"
+
+namespace searig::app {
+
+/// What the catalogue says of an effect, for people: "dry friction in the gear train".
+std::string title_of(const std::string& effect);
+
+/// "almost certain (98 %)".
+std::string how_sure(double probability);
+
+/// "deflection between 0.2 and 0.3 rad, or above 0.5 rad"; empty where nothing was located.
+std::string where(const estimator::Located& located);
+
+/// "spring": load cell less spring; "drive": load cell less motor current.
+std::string improvement(double before_nm, double after_nm);
+
+/// The answer in one or two sentences.
+std::string headline(const estimator::Diagnosis& diagnosis);
+
+/// What a number was and what it is now: "k 40 -> 42.1 N·m/rad". One for each number that moved
+/// out of its interval.
+std::vector<std::string> moved_numbers(const estimator::Diagnosis& diagnosis,
+                                       const std::optional<estimator::Model>& given);
+
+/// One line each: the headline, then each finding with its rivals, what remains, what cannot be
+/// decided, and the next experiment.
+std::vector<std::string> sentences(const estimator::Diagnosis& diagnosis,
+                                   const std::optional<estimator::Model>& given);
+
+}  // namespace searig::app
