@@ -170,56 +170,6 @@ void write_streams(HtmlReport& report, const Session& session) {
 
 }  // namespace
 
-std::vector<std::string> describe(const Session& session, const DemoResult& result) {
-  const auto& clock = session.clock;
-  std::vector<std::string> lines{
-      "Clocks: " + std::string(clock.trusted ? "trusted" : "NOT TRUSTED") +
-      ", load cell to module within ±" + with_unit(1e3 * clock.ci95_s, 2, "ms.")};
-  if (const auto& online = result.poor_start.online) {
-    lines.push_back("Stiffness: from " + number(online->initial_k_nm_per_rad, 0) + " to " +
-                    with_unit(online->k_nm_per_rad, 1, "N·m/rad") + "; the simulated spring has " +
-                    number(result.truth_nm_per_rad.back(), 1) + " now.");
-  }
-  std::string errors = "Torque error:";
-  for (const auto& cells : table_one(result)) errors += " " + cells[0] + " " + cells[2] + ";";
-  errors.back() = '.';
-  lines.push_back(errors);
-  return lines;
-}
-
-nlohmann::json to_json(const Session& session, const DemoResult& result) {
-  const auto score = [](const estimator::Score& s) {
-    return nlohmann::json{{"error_percent", s.error_percent}, {"rmse_nm", s.rmse_nm}};
-  };
-  nlohmann::json models;
-  if (const auto& fit = result.good_start.best_fit) {
-    models["best_fit"] = score(fit->score);
-    models["best_fit"]["k_nm_per_rad"] = fit->k_nm_per_rad;
-  }
-  const auto online = [&](const char* name, const Evaluation& evaluation) {
-    if (!evaluation.online) return;
-    models[name] = score(evaluation.online->score);
-    models[name]["k_nm_per_rad"] = evaluation.online->k_nm_per_rad;
-  };
-  online("online", result.good_start);
-  online("online_ten_times_too_high", result.poor_start);
-  if (const auto& current = result.good_start.current) models["current"] = score(current->score);
-  nlohmann::json pictures = nlohmann::json::array();
-  for (const auto& picture : result.pictures) pictures.push_back(picture.string());
-  return {{"format", "searig-demo/1"},
-          {"recording", result.recording.string()},
-          {"report", result.report.string()},
-          {"pictures", pictures},
-          {"seconds", result.good_start.seconds},
-          {"true_stiffness_nm_per_rad", result.truth_nm_per_rad.back()},
-          {"loadcell_to_module",
-           {{"rate", session.clock.rate},
-            {"offset_s", session.clock.offset_s},
-            {"ci95_s", session.clock.ci95_s},
-            {"trusted", session.clock.trusted}}},
-          {"models", models}};
-}
-
 HtmlReport demo_report(const Session& session, const LiveRig& rig, const DemoResult& result) {
   const History history = history_of(session.signals, result.poor_start);
   HtmlReport report("Calibration of a simulated series elastic actuator");
