@@ -42,7 +42,7 @@ Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t
   Hypothesis rest = final.hypothesis;
   const Piece own = rest[piece];
   rest.erase(rest.begin() + std::ptrdiff_t(piece));
-  const Step step = search.step(search.score(rest));
+  const Step step = search.step(rest);
   out.without = step.before.hypothesis;
   out.gain = step.before.cost() - final.cost();
   out.rho = strength(bench, step.before, final);
@@ -55,9 +55,10 @@ Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t
     return name == "rig.lag" ? std::string("rig.delay") : name;
   };
   for (const auto& c : step.named) {
-    if (family(c.piece.effect->name()) == family(own.effect->name())) continue;
+    const std::string& name = c.pieces.front().effect->name();
+    if (c.pieces.size() > 1 || family(name) == family(own.effect->name())) continue;
     const double w = std::exp(std::min(0.0, -(out.gain - c.gain) / (2.0 * t)));
-    if (w > 0.01) weight[c.piece.effect->name()] = w, total += w;
+    if (w > 0.01) weight[name] = w, total += w;
   }
   for (const auto& c : step.unnamed)
     nameless = std::max(nameless, std::exp(std::min(0.0, -(out.gain - c.gain) / (2.0 * t))));

@@ -174,14 +174,20 @@ void Bench::set_noise(Whitening whitening) {
   nuisance_ = (*whitening_)(raw_nuisance_);
 }
 
-void Bench::learn_noise(const Hypothesis& hypothesis, const std::vector<Atom>& dense) {
+void Bench::learn_noise(const Hypothesis& hypothesis, const std::vector<Piece>& cleaners) {
   if (raw_nuisance_.size() == 0) raw_nuisance_ = nuisances();
   Fit ignored;
-  Eigen::MatrixXd all = assemble(hypothesis, ignored, false);
-  const Eigen::Index own = all.cols();
-  all.conservativeResize(Eigen::NoChange, own + Eigen::Index(dense.size()));
-  for (std::size_t i = 0; i < dense.size(); ++i)
-    all.col(own + Eigen::Index(i)) = raw_columns({nullptr, {}, &dense[i]}, 0.0, 0.0);
+  const Eigen::MatrixXd own = assemble(hypothesis, ignored, false);
+  Eigen::Index total = own.cols();
+  for (const auto& piece : cleaners) total += raw_columns(piece, 0.0, 0.0).cols();
+  Eigen::MatrixXd all(total_rows(), total);
+  all.leftCols(own.cols()) = own;
+  Eigen::Index at = own.cols();
+  for (const auto& piece : cleaners) {
+    const Eigen::MatrixXd& part = raw_columns(piece, 0.0, 0.0);
+    all.middleCols(at, part.cols()) = part;
+    at += part.cols();
+  }
   Eigen::VectorXd right = Eigen::VectorXd::Zero(total_rows());
   right.head(experiment_.rows()) = experiment_.measured;
   for (Eigen::Index i = 0; i < experiment_.rows(); ++i)
@@ -189,9 +195,11 @@ void Bench::learn_noise(const Hypothesis& hypothesis, const std::vector<Atom>& d
   Eigen::VectorXd norm = all.colwise().norm();
   norm = (norm.array() > 0).select(norm, 1.0);
   all *= norm.cwiseInverse().asDiagonal();
-  Eigen::MatrixXd normal = all.transpose() * all;
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(total, total);
+  normal.selfadjointView<Eigen::Lower>().rankUpdate(all.transpose());
   normal.diagonal().array() += 1e-7;  // the cells of one axis sum to another's
-  const Eigen::VectorXd x = normal.ldlt().solve(all.transpose() * right);
+  const Eigen::VectorXd x =
+      normal.selfadjointView<Eigen::Lower>().ldlt().solve(all.transpose() * right);
   const Eigen::VectorXd residual = right - all * x;
   set_noise(Whitening(experiment_, residual.head(experiment_.rows())));
 }
@@ -228,7 +236,24 @@ Eigen::MatrixXd Bench::assemble(const Hypothesis& hypothesis, Fit& fit, bool whi
 Fit Bench::fit(const Hypothesis& hypothesis) const {
   Fit out;
   out.columns = assemble(hypothesis, out, true);
-  out.solution = solve(out.columns, right());
+  Eigen::VectorXd fixed = Eigen::VectorXd::Zero(out.columns.cols());
+  Eigen::MatrixXd free = out.columns;
+  Eigen::VectorXd right_side = right();
+  // Nuisances may not go further than what is known of them: at a bound they stay there, and what
+  // they would have taken is left for physics to explain.
+  for (int round = 0; round < 3; ++round) {
+    out.solution = solve(free, right_side);
+    bool held = false;
+    for (Eigen::Index i = out.columns.cols() - prior_rows; i < out.columns.cols(); ++i) {
+      if (fixed[i] != 0.0 || std::abs(out.solution.coefficients[i]) <= nuisance_bound) continue;
+      fixed[i] = std::copysign(nuisance_bound, out.solution.coefficients[i]);
+      right_side -= out.columns.col(i) * fixed[i];
+      free.col(i).setZero();
+      held = true;
+    }
+    if (!held) break;
+  }
+  out.solution.coefficients += fixed;
   return out;
 }
 

@@ -53,9 +53,9 @@ class Bench {
   const Experiment& experiment() const { return experiment_; }
   const Whitening& whitening() const { return *whitening_; }
 
-  /// Learns the noise from what the hypothesis leaves, cleaned by a dense map of it where given
-  /// (see dense_map.h), so that missing physics is not taken for noise.
-  void learn_noise(const Hypothesis& hypothesis, const std::vector<Atom>& dense = {});
+  /// Learns the noise from what the hypothesis leaves once `cleaners` have taken out of it what
+  /// they can, so that missing physics is not taken for noise.
+  void learn_noise(const Hypothesis& hypothesis, const std::vector<Piece>& cleaners);
   void set_noise(Whitening whitening);
   /// The torque that delay, lag and load friction act on: the hypothesis's own.
   void learn_torque(const Hypothesis& hypothesis);
@@ -82,6 +82,7 @@ class Bench {
 
  private:
   static constexpr Eigen::Index prior_rows = 6;
+  static constexpr double nuisance_bound = 2.2;  // standard deviations of the prior
 
   Eigen::MatrixXd nuisances() const;
   Eigen::MatrixXd assemble(const Hypothesis& hypothesis, Fit& fit, bool whitened) const;

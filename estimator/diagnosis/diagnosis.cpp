@@ -66,9 +66,9 @@ class Diagnostician {
     }
     if (!e.has_drive()) out_.notes.push_back("no drive path: no current with a velocity");
     if (!e.has_spring()) out_.notes.push_back("no spring path: no deflection");
-    bench_.learn_noise(base, dense_);
+    search_.learn_noise(base);
     bench_.learn_torque(base);
-    bench_.learn_noise(base, dense_);
+    search_.learn_noise(base);
     base_ = search_.score(base);
     final_ = base_;
   }
@@ -91,7 +91,10 @@ class Diagnostician {
     tell("something is left that has no name", 0.35);
     const Scored beside = search_.add_unnamed(named, 3);
     const Scored rivals = search_.add_either(base_, 4);
-    final_ = rivals.cost() < beside.cost() ? rivals : beside;
+    search_.learn_noise(beside.hypothesis);  // to compare them under one noise
+    final_ = search_.score(rivals.hypothesis).cost() < search_.score(beside.hypothesis).cost()
+                 ? rivals
+                 : beside;
   }
 
   bool in_base(const Piece& piece) const {
@@ -102,7 +105,8 @@ class Diagnostician {
 
   /// Drops named pieces that do not hold once everything is in place.
   void judge() {
-    bench_.learn_noise(final_.hypothesis, dense_);
+    search_.learn_noise(final_.hypothesis);
+    final_ = search_.score(final_.hypothesis);
     bool dropped = true;
     while (dropped) {
       dropped = false;
@@ -119,8 +123,6 @@ class Diagnostician {
         }
       }
     }
-    final_ = search_.score(final_.hypothesis);
-    bench_.learn_noise(final_.hypothesis);
   }
 
   /// Held-out residuals of a hypothesis.

@@ -100,6 +100,44 @@ void lay_drive_rows(Experiment& e) {
   e.at_drive = Sampler(e.motion.t, e.drive_t, e.drive_width_s);
 }
 
+/// Smallest step that an angle channel takes: what its encoder resolves, or less if it is smoothed.
+double quantum(const std::vector<double>& x) {
+  std::vector<double> step;
+  for (std::size_t i = 1; i < x.size(); ++i)
+    if (x[i] != x[i - 1]) step.push_back(std::abs(x[i] - x[i - 1]));
+  if (step.empty()) return 0.0;
+  const auto at = step.begin() + std::ptrdiff_t(step.size() / 20);
+  std::ranges::nth_element(step, at);
+  return *at;
+}
+
+/// While the deflection is held, the encoders' rounding does not average out: the whole hold has
+/// one error of k*quantum/sqrt(12), and n rows of it are worth 1/(1 + n*error^2/noise^2) each.
+void weigh_holds(Experiment& e, const ModuleSignals& module) {
+  e.weight.assign(std::size_t(e.rows()), 1.0);
+  if (!e.has_spring()) return;
+  const auto& m = e.motion;
+  double q = quantum(module.deflection_rad);
+  if (!module.input_angle_rad.empty())
+    q = std::hypot(quantum(module.input_angle_rad), quantum(module.output_angle_rad));
+  const Eigen::VectorXd theta = e.at_loadcell(as_array(m.theta).matrix());
+  const double k = e.loadcell_nm.dot(theta) / std::max(theta.squaredNorm(), 1e-30);
+  const Eigen::Index n = e.loadcell_rows();
+  double noise = 0.0;  // what neighbouring samples differ by, while nothing happens
+  std::vector<double> apart;
+  for (Eigen::Index i = 1; i + 1 < n; ++i)
+    apart.push_back(std::abs(e.loadcell_nm[i] - 0.5 * (e.loadcell_nm[i - 1] + e.loadcell_nm[i + 1])));
+  std::ranges::nth_element(apart, apart.begin() + std::ptrdiff_t(apart.size() / 2));
+  noise = std::max(1.2 * apart[apart.size() / 2], 1e-12);
+  const double error = std::abs(k) * q / std::sqrt(12.0);
+  for (Eigen::Index from = 0; from < n;) {
+    Eigen::Index to = from + 1;
+    while (to < n && std::abs(theta[to] - theta[from]) < 0.5 * q) ++to;
+    const double worth = 1.0 / std::sqrt(1.0 + double(to - from - 1) * std::pow(error / noise, 2));
+    for (; from < to; ++from) e.weight[std::size_t(from)] = worth;
+  }
+}
+
 void mark_usable(Experiment& e) {
   const double gap_s = 5.0 * typical_step(e.motion.t);
   const auto spike = spikes(e.loadcell_nm);
@@ -146,6 +184,7 @@ Experiment prepare(const Signals& signals, double smoothing_rad_s) {
     throw std::invalid_argument(
         "nothing to compare: the module has neither a deflection nor a current with a velocity");
   mark_usable(e);
+  weigh_holds(e, signals.module);
   e.measured = Eigen::VectorXd::Zero(e.rows());
   e.measured.head(e.has_spring() ? e.loadcell_rows() : e.rows()) = e.loadcell_nm;
   return e;

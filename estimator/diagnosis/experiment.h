@@ -26,6 +26,7 @@ struct Experiment {
   Eigen::VectorXd loadcell_nm;              ///< measured torque at loadcell_t
   Eigen::VectorXd measured;                 ///< right side, stacked
   std::vector<bool> usable;                 ///< stacked: inside the recording, moving, no spike
+  std::vector<double> weight;  ///< stacked, 0..1: rows of one hold share one encoder error
   double loadcell_width_s = 0.02, drive_width_s = 0.02;  ///< averaging windows
   Sampler at_loadcell, at_drive;
 

@@ -58,7 +58,7 @@ Autoregression fit_autoregression(const Eigen::VectorXd& residual, const std::ve
 }
 
 Whitening::Whitening(const Experiment& e, const Eigen::VectorXd& residual)
-    : split_(e.loadcell_rows()), rows_(e.rows()) {
+    : split_(e.loadcell_rows()), rows_(e.rows()), weight_(e.weight) {
   const auto split = e.usable.begin() + split_;
   loadcell_ = fit_autoregression(residual.head(split_), {e.usable.begin(), split}, order);
   drive_ = fit_autoregression(residual.tail(rows_ - split_), {split, e.usable.end()}, order);
@@ -87,7 +87,7 @@ Eigen::MatrixXd Whitening::operator()(const Eigen::MatrixXd& columns) const {
       const Autoregression& ar = i < split_ ? loadcell_ : drive_;
       double e = x[i];
       for (int k = 1; k <= order; ++k) e -= ar.phi[k - 1] * x[i - k];
-      y[i] = e / ar.sd;
+      y[i] = weight_[std::size_t(i)] * e / ar.sd;
     }
     for (Eigen::Index i = rows_; i < columns.rows(); ++i) y[i] = x[i];  // prior rows are white
   }

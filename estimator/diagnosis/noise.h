@@ -37,6 +37,7 @@ class Whitening {
   Autoregression loadcell_, drive_;
   Eigen::Index split_, rows_;
   std::vector<bool> counts_;
+  std::vector<double> weight_;
 };
 
 }  // namespace searig::estimator

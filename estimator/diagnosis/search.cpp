@@ -40,50 +40,40 @@ double motor_gain(const Bench& bench, const Hypothesis& hypothesis, const Fit& f
   return 1.0;
 }
 
-/// Mean of squares beyond four standard deviations grows only linearly (P. Huber, 1964).
-double huber_mean(const Eigen::VectorXd& x) {
-  double sum = 0.0;
-  for (const double e : x) sum += std::abs(e) < 4.0 ? e * e : 8.0 * std::abs(e) - 16.0;
-  return sum / double(std::max<Eigen::Index>(1, x.size()));
-}
+/// Beyond four standard deviations a residual counts only linearly (P. Huber, 1964).
+double huber(double e) { return std::abs(e) < 4.0 ? e * e : 8.0 * std::abs(e) - 16.0; }
 
 }  // namespace
 
 Search::Search(Bench& bench, const std::vector<Atom>& dense, const std::vector<Atom>& atoms,
                const Model& model, Criteria criteria)
-    : bench_(bench), dense_(dense), atoms_(atoms), model_(model), criteria_(criteria) {}
+    : bench_(bench), atoms_(atoms), model_(model), criteria_(criteria) {
+  for (const auto& atom : dense) cleaners_.push_back({nullptr, {}, &atom});
+  for (const Effect* effect : catalogue()) {
+    if (!effect->applies(bench.experiment().motion)) continue;
+    const auto grid = effect->shape_grid(bench.experiment().motion);
+    if (grid.size() > 20) continue;  // a wave at every frequency would take the noise along
+    for (const auto& shape : grid) cleaners_.push_back({effect, shape, nullptr});
+  }
+}
+
+void Search::learn_noise(const Hypothesis& hypothesis) {
+  bench_.learn_noise(hypothesis, cleaners_);
+  gain_ = motor_gain(bench_, hypothesis, bench_.fit(hypothesis));
+}
 
 Scored Search::score(Hypothesis hypothesis) {
-  const Whitening before = bench_.whitening();
-  const auto own_noise = [&](const Fit& fit) {
-    const Eigen::VectorXd residual = bench_.raw_residual(hypothesis, fit);
-    return Whitening(bench_.experiment(), residual.head(bench_.experiment().rows()));
-  };
-  for (int round = 0; round < 5; ++round) {  // shapes, amplitudes and noise settle together
-    if (round == 0 || round == 3) hypothesis = polish(bench_, hypothesis, round == 0 ? 12 : 6);
-    bench_.set_noise(own_noise(bench_.fit(hypothesis)));
-  }
+  hypothesis = polish(bench_, hypothesis);
   const Fit fit = bench_.fit(hypothesis);
-  Scored out{hypothesis, deviance(hypothesis, fit), price(bench_, hypothesis)};
-  bench_.set_noise(before);
-  return out;
+  return {hypothesis, deviance(hypothesis, fit), price(bench_, hypothesis)};
 }
 
 double Search::deviance(const Hypothesis& hypothesis, const Fit& fit) const {
-  const Whitening& w = bench_.whitening();
-  const Eigen::Index rows = bench_.experiment().rows();
-  Eigen::VectorXd block[2] = {Eigen::VectorXd(rows), Eigen::VectorXd(rows)};
-  Eigen::Index n[2] = {0, 0};
-  for (Eigen::Index i = 0; i < rows; ++i)
-    if (w.counts()[std::size_t(i)]) {
-      const int b = i < w.split() ? 0 : 1;
-      block[b][n[b]++] = fit.solution.residual[i];
-    }
-  const double sd[2] = {w.loadcell().sd, w.drive().sd / motor_gain(bench_, hypothesis, fit)};
-  double out = fit.solution.residual.tail(fit.solution.residual.size() - rows).squaredNorm();
-  for (int b = 0; b < 2; ++b)
-    if (n[b] > 0)
-      out += double(n[b]) * std::log(sd[b] * sd[b] * huber_mean(block[b].head(n[b])));
+  const Eigen::VectorXd& residual = fit.solution.residual;
+  const Eigen::Index rows = bench_.experiment().rows(), split = bench_.whitening().split();
+  const double amperes = gain_ / motor_gain(bench_, hypothesis, fit);
+  double out = fit.solution.coefficients.tail(bench_.nuisance_count() - 1).squaredNorm();
+  for (Eigen::Index i = 0; i < rows; ++i) out += huber(i < split ? residual[i] : residual[i] * amperes);
   return out;
 }
 
@@ -94,77 +84,104 @@ Piece Search::extended(const Hypothesis& from, const Effect& effect,
   return {&effect, std::move(shape), nullptr};
 }
 
-Hypothesis Search::with(Hypothesis from, const Piece& piece) const {
-  if (piece.effect) std::erase_if(from, [&](const Piece& p) { return p.effect == piece.effect; });
-  from.push_back(piece);
+Hypothesis Search::with(Hypothesis from, const std::vector<Piece>& pieces) const {
+  for (const auto& piece : pieces) {
+    if (piece.effect) std::erase_if(from, [&](const Piece& p) { return p.effect == piece.effect; });
+    from.push_back(piece);
+  }
   return from;
 }
 
-std::vector<Piece> Search::shortlist_named(const Hypothesis& from) {
-  const Fit fit = bench_.fit(from);
-  const Projection projection(fit.columns, bench_.right());
-  struct Ranked {
-    Piece piece;
-    double gain;
-  };
-  std::vector<Ranked> ranked;
+std::vector<Search::Ranked> Search::screen(const Hypothesis& from, const Projection& projection) {
+  std::vector<Ranked> out;
   for (const Effect* effect : catalogue()) {
     if (!effect->applies(bench_.experiment().motion)) continue;
-    const bool extends = holds(from, effect);
     const auto grid = effect->shape_grid(bench_.experiment().motion);
     // Only sums of branches can take in one more of their kind.
-    if (extends && (grid.size() < 2 || !effect->has_branches())) continue;
-    Ranked best{{effect, {}, nullptr}, 0.0};
+    if (holds(from, effect) && (grid.size() < 2 || !effect->has_branches())) continue;
+    Ranked best{{effect, {}, nullptr}, -1.0}, any = best;
     for (const auto& shape : grid) {
       const Piece piece{effect, shape, nullptr};
       const auto gain = projection.gain(bench_.screening_columns(piece));
+      if (gain.independence < 1e-3) continue;
+      if (gain.sse > any.gain) any = {piece, gain.sse};
       const bool positive = effect->path() == Path::observation || !effect->tied_to().empty();
-      if (gain.sse <= best.gain || gain.independence < 1e-3) continue;
       if (positive ? gain.coefficients[0] <= 0 : !effect->physical(gain.coefficients)) continue;
-      best = {piece, gain.sse};
+      if (gain.sse > best.gain) best = {piece, gain.sse};
     }
-    if (best.gain < 8.0) continue;
-    best.piece = extended(from, *effect, best.piece.shape);
-    ranked.push_back(best);
+    // Unphysical alone, it may still be one of a pair.
+    if (best.gain < 0 && any.gain >= 0) best = {any.piece, 0.0};
+    if (best.gain >= 0) out.push_back(best);
   }
-  std::ranges::sort(ranked, std::greater{}, &Ranked::gain);
-  std::vector<Piece> out;
-  for (const auto& r : ranked)
-    if (out.size() < polished_named && r.gain > 0.05 * ranked.front().gain) out.push_back(r.piece);
+  std::ranges::sort(out, std::greater{}, &Ranked::gain);
   return out;
 }
 
-std::vector<Piece> Search::shortlist_unnamed(const Hypothesis& from, std::size_t most) {
-  const Fit fit = bench_.fit(from);
-  const Projection projection(fit.columns, bench_.right());
+std::vector<std::vector<Piece>> Search::shortlist_named(const Hypothesis& from) {
+  const Projection projection(bench_.fit(from).columns, bench_.right());
+  const auto ranked = screen(from, projection);
+  std::vector<std::vector<Piece>> out;
+  for (const auto& r : ranked)
+    if (out.size() < polished_named && r.gain > std::max(8.0, 0.05 * ranked.front().gain))
+      out.push_back({extended(from, *r.piece.effect, r.piece.shape)});
+  if (const auto pair = best_pair(from, projection, ranked); !pair.empty()) out.push_back(pair);
+  return out;
+}
+
+std::vector<Piece> Search::best_pair(const Hypothesis& from, const Projection& projection,
+                                     const std::vector<Ranked>& ranked) {
+  if (ranked.empty()) return {};
+  double best = std::max(1.3 * ranked.front().gain, ranked.front().gain + 60.0);
+  std::vector<Piece> out;
+  for (std::size_t i = 0; i < ranked.size(); ++i)
+    for (std::size_t j = i + 1; j < ranked.size(); ++j) {
+      const Piece &a = ranked[i].piece, &b = ranked[j].piece;
+      if (holds(from, a.effect) || holds(from, b.effect)) continue;
+      const Eigen::MatrixXd ca = bench_.screening_columns(a), cb = bench_.screening_columns(b);
+      Eigen::MatrixXd both(ca.rows(), ca.cols() + cb.cols());
+      both << ca, cb;
+      const auto gain = projection.gain(both);
+      const auto fine = [](const Piece& p, const Eigen::VectorXd& x) {
+        const bool positive = p.effect->path() == Path::observation || !p.effect->tied_to().empty();
+        return positive ? x[0] > 0 : p.effect->physical(x);
+      };
+      if (gain.sse <= best || !fine(a, gain.coefficients.head(ca.cols())) ||
+          !fine(b, gain.coefficients.tail(cb.cols())))
+        continue;
+      best = gain.sse;
+      out = {a, b};
+    }
+  return out;
+}
+
+std::vector<std::vector<Piece>> Search::shortlist_unnamed(const Hypothesis& from,
+                                                          std::size_t most) {
+  const Projection projection(bench_.fit(from).columns, bench_.right());
   std::vector<std::pair<double, const Atom*>> ranked;
   for (const auto& atom : atoms_) {
     const auto gain = projection.gain(bench_.screening_columns({nullptr, {}, &atom}));
     if (gain.independence > 1e-2) ranked.emplace_back(gain.sse, &atom);
   }
   std::ranges::sort(ranked, std::greater{});
-  std::vector<Piece> out;
+  std::vector<std::vector<Piece>> out;
   for (std::size_t i = 0; i < std::min(most, ranked.size()); ++i)
-    out.push_back({nullptr, {}, ranked[i].second});
+    out.push_back({Piece{nullptr, {}, ranked[i].second}});
   return out;
 }
 
-Step Search::step(const Scored& from) {
-  bench_.learn_noise(from.hypothesis, dense_);
+Step Search::step(const Hypothesis& from) {
   Step out;
-  out.before = from;
-  // The noise as seen from here may lead to a better optimum than the one found on the way.
-  if (auto again = score(from.hypothesis); again.deviance < from.deviance) out.before = again;
-  const auto hold = [&](const std::vector<Piece>& pieces, std::vector<Contender>& into) {
-    for (const auto& piece : pieces) {
-      Contender c{piece, score(with(from.hypothesis, piece)), 0.0};
+  out.before = score(from);
+  const auto hold = [&](const std::vector<std::vector<Piece>>& all, std::vector<Contender>& into) {
+    for (const auto& pieces : all) {
+      Contender c{pieces, score(with(out.before.hypothesis, pieces)), 0.0};
       c.gain = out.before.cost() - c.scored.cost();
-      if (piece.atom || believable(c)) into.push_back(std::move(c));
+      if (pieces.front().atom || believable(c)) into.push_back(std::move(c));
     }
     std::ranges::sort(into, std::greater{}, &Contender::gain);
   };
-  hold(shortlist_named(from.hypothesis), out.named);
-  hold(shortlist_unnamed(from.hypothesis, polished_unnamed), out.unnamed);
+  hold(shortlist_named(out.before.hypothesis), out.named);
+  hold(shortlist_unnamed(out.before.hypothesis, polished_unnamed), out.unnamed);
   return out;
 }
 
@@ -172,7 +189,8 @@ bool Search::believable(const Contender& contender) {
   const auto& hypothesis = contender.scored.hypothesis;
   const Fit fit = bench_.fit(hypothesis);
   for (std::size_t i = 0; i < hypothesis.size(); ++i) {
-    if (hypothesis[i].effect != contender.piece.effect || fit.count[i] == 0) continue;
+    const auto mine = [&](const Piece& p) { return p.effect == hypothesis[i].effect; };
+    if (fit.count[i] == 0 || std::ranges::none_of(contender.pieces, mine)) continue;
     if (!hypothesis[i].effect->tied_to().empty()) continue;
     const Eigen::VectorXd amplitude = fit.amplitudes(i);
     if (!hypothesis[i].effect->physical(amplitude)) return false;
@@ -187,8 +205,10 @@ bool Search::believable(const Contender& contender) {
 }
 
 bool Search::passes(const Contender& c, const Scored& from) {
-  if (c.gain < (c.piece.atom ? criteria_.least_unnamed_gain : criteria_.least_gain)) return false;
-  if (strength(bench_, from, c.scored) < criteria_.least_rho) return false;
+  const bool atom = c.pieces.front().atom;
+  if (c.gain < (atom ? criteria_.least_unnamed_gain : criteria_.least_gain)) return false;
+  if (strength(bench_, from, c.scored) < (atom ? criteria_.least_unnamed_rho : criteria_.least_rho))
+    return false;
   const auto blocks = bench_.blocks();
   const double with = heldout_sse(bench_.fit(c.scored.hypothesis).columns, bench_.right(), blocks);
   const double without = heldout_sse(bench_.fit(from.hypothesis).columns, bench_.right(), blocks);
@@ -202,12 +222,15 @@ bool Search::stands_out(const Contender& c, const Scored& from) {
 
 Scored Search::add_named(Scored from, std::vector<Step>& trail) {
   for (int terms = 0; terms <= criteria_.most_terms; ++terms) {
-    trail.push_back(step(from));
+    learn_noise(from.hypothesis);
+    trail.push_back(step(from.hypothesis));
     const Step& seen = trail.back();
+    from = seen.before;
     if (terms == criteria_.most_terms || seen.named.empty()) break;
-    if (!stands_out(seen.named.front(), from)) break;
-    largest_ = std::max(largest_, strength(bench_, from, seen.named.front().scored));
-    from = seen.named.front().scored;
+    const Contender& best = seen.named.front();
+    if (!stands_out(best, from)) break;
+    largest_ = std::max(largest_, strength(bench_, from, best.scored));
+    from = best.scored;
     bench_.learn_torque(from.hypothesis);
   }
   return from;
@@ -215,8 +238,9 @@ Scored Search::add_named(Scored from, std::vector<Step>& trail) {
 
 Scored Search::add_unnamed(Scored from, int most) {
   for (int i = 0; i < most; ++i) {
-    const Step seen = step(from);
-    if (seen.unnamed.empty() || !stands_out(seen.unnamed.front(), from)) break;
+    learn_noise(from.hypothesis);
+    const Step seen = step(from.hypothesis);
+    if (seen.unnamed.empty() || !stands_out(seen.unnamed.front(), seen.before)) break;
     from = seen.unnamed.front().scored;
   }
   return from;
@@ -224,13 +248,14 @@ Scored Search::add_unnamed(Scored from, int most) {
 
 Scored Search::add_either(Scored from, int most) {
   for (int i = 0; i < most; ++i) {
-    const Step seen = step(from);
+    learn_noise(from.hypothesis);
+    const Step seen = step(from.hypothesis);
     const Contender* best = nullptr;
     if (!seen.named.empty()) best = &seen.named.front();
     if (!seen.unnamed.empty() &&
         (!best || seen.unnamed.front().gain > 1.04 * best->gain + price_of_no_name))
       best = &seen.unnamed.front();
-    if (!best || !stands_out(*best, from)) break;
+    if (!best || !stands_out(*best, seen.before)) break;
     from = best->scored;
   }
   return from;
@@ -243,8 +268,12 @@ double strength(Bench& bench, const Scored& without, const Scored& with) {
   double largest = 0.0;
   const auto in_block = [&](Eigen::Index from, Eigen::Index to) {
     double change = 0.0, left = 0.0;
-    for (Eigen::Index i = from; i < to; ++i)
-      if (e.usable[std::size_t(i)]) change += (a[i] - b[i]) * (a[i] - b[i]), left += b[i] * b[i];
+    for (Eigen::Index i = from; i < to; ++i) {
+      if (!e.usable[std::size_t(i)]) continue;
+      const double w = e.weight[std::size_t(i)];
+      change += w * w * (a[i] - b[i]) * (a[i] - b[i]);
+      left += w * w * b[i] * b[i];
+    }
     if (left > 0) largest = std::max(largest, std::sqrt(change / left));
   };
   in_block(0, e.loadcell_rows());

@@ -10,9 +10,10 @@ namespace searig::estimator {
 /// A hypothesis with its best shapes, and how badly it fits.
 struct Scored {
   Hypothesis hypothesis;
-  /// -2 log likelihood under autoregressive noise fitted to its own residual, up to a constant:
-  /// sum over the blocks of n*log(sd^2), plus the nuisances' priors. Differences compare like
-  /// chi-squared. The drive's sd counts in amperes, so that shrinking both sides gains nothing.
+  /// Sum of squares in units of the noise that the bench had, plus the nuisances' priors; beyond
+  /// four standard deviations it grows only linearly. Differences under one noise compare like
+  /// chi-squared. The drive's residual counts in amperes, so that shrinking both sides of it gains
+  /// nothing.
   double deviance = 0.0;
   /// Deviance that it must beat its rivals by, per further amplitude and shape value.
   double penalty = 0.0;
@@ -20,9 +21,9 @@ struct Scored {
   double cost() const { return deviance + penalty; }
 };
 
-/// A candidate that was held against the same hypothesis.
+/// A candidate that was held against the same hypothesis: one piece, or two that hide each other.
 struct Contender {
-  Piece piece;
+  std::vector<Piece> pieces;
   Scored scored;
   double gain = 0.0;  ///< fall of the cost against the hypothesis without it
 };
@@ -35,8 +36,9 @@ struct Step {
 
 struct Criteria {
   double least_gain = 30.0;        ///< fall of the cost that a term must bring
-  double least_unnamed_gain = 40;  ///< the same for an atom: there are many of them
-  double least_rho = 0.15;         ///< rms of the term over rms of the noise, in a block it enters
+  double least_unnamed_gain = 60;  ///< the same for an atom: there are many of them
+  double least_unnamed_rho = 0.3;  ///< and the world is full of small nameless things
+  double least_rho = 0.18;         ///< rms of the term over rms of the noise, in a block it enters
   double least_of_largest = 0.04;  ///< the same over that of the strongest term found
   int most_terms = 4;
 };
@@ -46,11 +48,14 @@ class Search {
   Search(Bench& bench, const std::vector<Atom>& dense, const std::vector<Atom>& atoms,
          const Model& model, Criteria criteria = {});
 
-  /// Polishes and scores under the hypothesis's own noise.
+  /// Noise as it is once the hypothesis, the dense map and the whole catalogue have had their say.
+  void learn_noise(const Hypothesis& hypothesis);
+
+  /// Polishes and scores under the noise that the bench has.
   Scored score(Hypothesis hypothesis);
 
-  /// Holds all candidates against the hypothesis; the best few are polished.
-  Step step(const Scored& from);
+  /// Holds all candidates against the hypothesis, under one noise; the best few are polished.
+  Step step(const Hypothesis& from);
 
   /// Adds named effects while they pass; `trail` gets the steps, the last one being the one that
   /// added nothing.
@@ -72,15 +77,23 @@ class Search {
 
  private:
   double deviance(const Hypothesis& hypothesis, const Fit& fit) const;
+  double gain_ = 0.0;  // of the motor, N*m per A, when the noise was learnt
   Piece extended(const Hypothesis& from, const Effect& effect, std::vector<double> shape) const;
-  std::vector<Piece> shortlist_named(const Hypothesis& from);
-  std::vector<Piece> shortlist_unnamed(const Hypothesis& from, std::size_t most);
-  Hypothesis with(Hypothesis from, const Piece& piece) const;
+  struct Ranked {
+    Piece piece;
+    double gain = 0.0;
+  };
+  std::vector<Ranked> screen(const Hypothesis& from, const Projection& projection);
+  std::vector<std::vector<Piece>> shortlist_named(const Hypothesis& from);
+  std::vector<Piece> best_pair(const Hypothesis& from, const Projection& projection,
+                               const std::vector<Ranked>& ranked);
+  std::vector<std::vector<Piece>> shortlist_unnamed(const Hypothesis& from, std::size_t most);
+  Hypothesis with(Hypothesis from, const std::vector<Piece>& pieces) const;
   bool believable(const Contender& contender);
 
   Bench& bench_;
-  const std::vector<Atom>& dense_;
   const std::vector<Atom>& atoms_;
+  std::vector<Piece> cleaners_;
   const Model& model_;
   Criteria criteria_;
   double largest_ = 0.0;  // strength of the strongest term accepted so far

@@ -141,6 +141,10 @@ void in_the_drive(const Motion& m, Collector& c) {
   c.events("the drive's torque jumps", Path::drive, Array::Ones(w.size()), 20);
   c.events("the motor's torque constant jumps", Path::drive, current, 16);
   c.events("the friction changes", Path::drive, sign, 20);
+  if (m.has_spring()) {
+    c.bumps(m.theta, "deflection_rad", Path::drive, 10);
+    c.bumps(m.theta, "deflection_rad", Path::drive, 10, sign);
+  }
   c.episodes(Path::drive, 16, sign);
   c.episodes(Path::drive, 12, Array::Ones(w.size()));
   if (!m.q_i.empty()) {
