@@ -14,6 +14,7 @@
 #include "app/cli/json_output.h"
 #include "app/cli/progress_line.h"
 #include "app/report/diagnosis_json.h"
+#include "app/report/diagnosis_report.h"
 #include "app/report/diagnosis_words.h"
 #include "app/session/merge.h"
 
@@ -29,11 +30,8 @@ struct Options {
 };
 
 /// One diagnosis, or why there is none.
-struct Outcome {
+struct Outcome : Examined {
   std::string name;
-  std::optional<estimator::Model> given;
-  std::vector<Part> parts;
-  estimator::Diagnosis diagnosis;
   std::string failure;
 };
 
@@ -58,10 +56,11 @@ Outcome diagnose_together(const std::vector<std::string>& recordings, const Opti
   out.given = find_model(recordings.front(), options.model);
   std::vector<const Session*> pointers;
   for (const auto& session : sessions) pointers.push_back(&session);
-  const Merged merged = merge(pointers);
+  Merged merged = merge(pointers);
+  out.signals = std::move(merged.signals);
   out.parts = merged.parts;
   out.name = out.parts.front().name;
-  out.diagnosis = estimator::diagnose(merged.signals, out.given, progress);
+  out.diagnosis = estimator::diagnose(out.signals, out.given, progress);
   auto& notes = out.diagnosis.notes;
   notes.insert(notes.end(), merged.notes.begin(), merged.notes.end());
   for (const auto& session : sessions) {
@@ -109,6 +108,7 @@ void run_together(const Options& options) {
     answer["recordings"] = recordings_json(outcome);
     write_json(answer, options.json);
   }
+  if (!options.report.empty()) diagnosis_report(outcome).write(options.report);
   if (!options.write_model.empty()) {
     acquisition::write_text_file(options.write_model, to_toml(outcome.diagnosis.extended));
   }
@@ -161,11 +161,14 @@ void add_diagnose(CLI::App& app) {
   command->add_option("--model", options->model,
                       "The simulation, instead of the recording's own model.toml");
   command->add_option("--json", options->json, "Write the answer for machines (- for stdout)");
+  auto* report = command->add_option("--report", options->report,
+                                     "Write a report with pictures as one HTML file");
   auto* model = command->add_option("--write-model", options->write_model,
                                     "Write the model with what was missing, as a model file");
   auto* each =
       command->add_flag("--each", options->each, "Diagnose each recording by itself instead");
   each->excludes(model);
+  each->excludes(report);
   command->add_option("--jobs", options->jobs,
                       "With --each, recordings at the same time (0: one per core)");
   command->footer(

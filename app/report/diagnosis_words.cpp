@@ -58,6 +58,38 @@ std::string missing_headline(const Diagnosis& d) {
   return out;
 }
 
+std::string consistent_headline(const Diagnosis& d) {
+  const PathErrors* path = d.spring ? &*d.spring : d.drive ? &*d.drive : nullptr;
+  std::string out = "Nothing is missing, and the numbers of the model hold";
+  if (!path) return out + ".";
+  out += ": what is left, " + with_unit(path->after, "N·m", 2) + ", is noise.";
+  if (path->as_given && *path->as_given > 1.3 * path->before) {
+    out += " As it came it was off by " + with_unit(*path->as_given, "N·m", 2) +
+           ": the sensors' zeros and clocks had to be fitted.";
+  }
+  return out;
+}
+
+std::string recalibrate_headline(const Diagnosis& d) {
+  const PathErrors* path = d.spring ? &*d.spring : d.drive ? &*d.drive : nullptr;
+  std::string out = "No physics is missing, but numbers of the model are off.";
+  if (path && path->as_given && *path->as_given > path->before) {
+    out += " With the right ones the error falls from " + figures(*path->as_given, 2) + " to " +
+           with_unit(path->after, "N·m", 2) + ", which is noise.";
+  }
+  return out;
+}
+
+std::string unexplained_headline(const Diagnosis& d) {
+  std::string out =
+      "The simulation leaves something out, and no effect of the catalogue explains it.";
+  if (!d.unexplained) return out;
+  if (const std::string place = where(d.unexplained->located); !place.empty()) {
+    out += " It shows at " + place + ".";
+  }
+  return out;
+}
+
 std::string unexplained_sentence(const estimator::Unexplained& u) {
   std::string out = "Unexplained";
   if (!u.what.empty()) out += ": " + u.what;
@@ -67,15 +99,17 @@ std::string unexplained_sentence(const estimator::Unexplained& u) {
 
 std::string parameter_text(const ParameterEstimate& p) {
   const Quantity q = quantity_of(p.name);
-  return q.name + " = " + with_unit(p.value, q.unit) + " (95 %: " + figures(p.lower) + " to " +
-         figures(p.upper) + ")";
+  if (!is_measured(p)) return q.name + " = " + with_unit(p.value, q.unit);
+  const Rounded r = rounded(p.value, p.lower, p.upper);
+  return q.name + " = " + r.value + (q.unit.empty() ? "" : " " + q.unit) + " (95 %: " + r.lower +
+         " to " + r.upper + ")";
 }
 
 void describe(const Finding& f, std::vector<std::string>& out) {
   out.push_back(f.effect + ": " + title_of(f.effect) + ", " + how_sure(f.probability) + "; " +
                 improvement(f.before_nm, f.after_nm) + ".");
   std::vector<std::string> numbers;
-  for (const auto& p : f.parameters) numbers.push_back(parameter_text(p));
+  for (const auto& p : in_order(f.parameters)) numbers.push_back(parameter_text(p));
   if (!numbers.empty()) out.push_back("  " + joined(numbers, ", ") + ".");
   if (const std::string place = where(f.located); !place.empty()) {
     out.push_back("  It shows most at " + place + ".");
@@ -105,20 +139,39 @@ std::string how_sure(double p) {
   return std::string(words) + " (" + (p > 0.99 ? "over 99 %" : percent(p)) + ")";
 }
 
-std::string where(const estimator::Located& located) {
-  if (located.regions.empty()) return "";
-  std::vector<std::string> ranges;
-  const Quantity q = quantity_of(located.regions.front().channel);
+/// Neighbouring ranges that leave hardly a gap are one for a reader.
+std::vector<estimator::Region> merged(const estimator::Located& located) {
+  std::vector<estimator::Region> out;
+  double low = INFINITY, high = -INFINITY;
   for (const auto& r : located.regions) {
-    if (r.channel == located.regions.front().channel) {
-      ranges.push_back(figures(r.from, 2) + " to " + figures(r.to, 2));
+    if (r.channel != located.regions.front().channel) continue;
+    low = std::min(low, r.from), high = std::max(high, r.to);
+    out.push_back(r);
+  }
+  const double gap = 0.12 * (high - low);
+  for (std::size_t i = 1; i < out.size();) {
+    if (out[i].from - out[i - 1].to <= gap) {
+      out[i - 1].to = out[i].to;
+      out.erase(out.begin() + std::ptrdiff_t(i));
+    } else {
+      ++i;
     }
   }
-  if (ranges.size() > 3) {
-    ranges.resize(2);
-    ranges.push_back("elsewhere");
+  return out;
+}
+
+std::string where(const estimator::Located& located) {
+  if (located.regions.empty()) return "";
+  const Quantity q = quantity_of(located.regions.front().channel);
+  std::vector<std::string> ranges;
+  for (const auto& r : merged(located)) {
+    const double size = std::max(std::abs(r.from), std::abs(r.to));
+    const auto text = [size](double x) { return std::abs(x) < 0.005 * size ? "0" : figures(x, 2); };
+    ranges.push_back(text(r.from) + " to " + text(r.to));
   }
-  return q.name + " " + joined(ranges) + (q.unit.empty() ? "" : " " + q.unit);
+  const std::string unit = q.unit.empty() ? "" : " " + q.unit;
+  if (ranges.size() > 3) return q.name + " " + ranges[0] + ", " + ranges[1] + unit + " and more";
+  return q.name + " " + joined(ranges) + unit;
 }
 
 std::string improvement(double before_nm, double after_nm) {
@@ -126,17 +179,33 @@ std::string improvement(double before_nm, double after_nm) {
          with_unit(after_nm, "N·m", 2);
 }
 
+bool is_measured(const ParameterEstimate& p) {
+  return p.upper - p.lower > 1e-7 * std::abs(p.value);
+}
+
+std::vector<ParameterEstimate> in_order(std::vector<ParameterEstimate> parameters) {
+  const auto place = [](const ParameterEstimate& p) {
+    const auto* effect = estimator::find_effect(p.effect);
+    if (!effect) return std::ptrdiff_t(0);
+    const auto& known = effect->parameters();
+    return std::ranges::find(known, p.name, &estimator::Parameter::name) - known.begin();
+  };
+  std::ranges::stable_sort(parameters, [&](const auto& a, const auto& b) {
+    return a.effect == b.effect && place(a) < place(b);
+  });
+  return parameters;
+}
+
 std::string headline(const Diagnosis& d) {
   switch (d.verdict) {
     case Verdict::consistent:
-      return "Nothing is missing: the simulation says what was measured, within the noise.";
+      return consistent_headline(d);
     case Verdict::recalibrate:
-      return "No physics is missing, but numbers of the model are off. Refitted, it says what was "
-             "measured, within the noise.";
+      return recalibrate_headline(d);
     case Verdict::missing_physics:
       return missing_headline(d);
     case Verdict::unexplained:
-      return "The simulation leaves something out that no effect of the catalogue explains.";
+      return unexplained_headline(d);
   }
   return "";
 }
@@ -144,13 +213,11 @@ std::string headline(const Diagnosis& d) {
 std::vector<std::string> moved_numbers(const Diagnosis& d,
                                        const std::optional<estimator::Model>& given) {
   std::vector<std::string> out;
+  if (d.verdict == Verdict::consistent) return out;
   for (const auto& p : d.numbers) {
     const auto was = given ? given->get(p.effect, p.name) : std::nullopt;
-    if (!was || (*was >= p.lower && *was <= p.upper)) continue;
-    const Quantity q = quantity_of(p.name);
-    out.push_back(p.effect + " " + q.name + ": " + figures(*was) + " in the model, " +
-                  with_unit(p.value, q.unit) + " measured (95 %: " + figures(p.lower) + " to " +
-                  figures(p.upper) + ")");
+    if (!was || !is_measured(p) || (*was >= p.lower && *was <= p.upper)) continue;
+    out.push_back(p.effect + " " + parameter_text(p) + ", and the model had " + figures(*was));
   }
   return out;
 }
@@ -169,7 +236,7 @@ std::vector<std::string> sentences(const Diagnosis& d,
   };
   error_line("Load cell against spring, rms", d.spring);
   error_line("Load cell against motor current, rms", d.drive);
-  for (const auto& moved : moved_numbers(d, given)) out.push_back("Number off: " + moved + ".");
+  for (const auto& moved : moved_numbers(d, given)) out.push_back("Off: " + moved + ".");
   for (const auto& u : d.undecidable) {
     out.push_back("Cannot be decided from this: " + joined(u.effects, " or ") + ": " + u.why +
                   ". It needs: " + u.needs + ".");

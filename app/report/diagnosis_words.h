@@ -18,8 +18,15 @@ std::string how_sure(double probability);
 /// "deflection between 0.2 and 0.3 rad, or above 0.5 rad"; empty where nothing was located.
 std::string where(const estimator::Located& located);
 
-/// "spring": load cell less spring; "drive": load cell less motor current.
+/// "the error on data that no fit has seen falls from 0.21 to 0.011 N·m".
 std::string improvement(double before_nm, double after_nm);
+
+/// False for a number that the fit had to leave as the model gave it.
+bool is_measured(const estimator::ParameterEstimate& parameter);
+
+/// As the catalogue lists them, not by their letters.
+std::vector<estimator::ParameterEstimate> in_order(
+    std::vector<estimator::ParameterEstimate> parameters);
 
 /// The answer in one or two sentences.
 std::string headline(const estimator::Diagnosis& diagnosis);

@@ -1,5 +1,6 @@
 #include "app/report/html.h"
 
+#include <algorithm>
 #include <fstream>
 #include <stdexcept>
 
@@ -22,7 +23,9 @@ table{border-collapse:collapse;margin:1rem 0;font-variant-numeric:tabular-nums}
 caption{caption-side:bottom;text-align:left;color:var(--soft);font-size:.9rem;padding-top:.4rem}
 th,td{padding:.35rem .9rem;text-align:right;border-bottom:1px solid var(--rule)}
 th{border-bottom-width:2px;font-weight:600}
-th:first-child,td:first-child{text-align:left;padding-left:0}
+th:first-child,td:first-child{padding-left:0}
+th:first-child,td:first-child,.words{text-align:left}
+td.words{vertical-align:top}
 figure{margin:1.4rem 0;break-inside:avoid}
 figure svg{max-width:100%;height:auto}
 figcaption{color:var(--soft);font-size:.9rem}
@@ -33,6 +36,13 @@ pre{background:var(--tint);padding:.8rem 1rem;overflow-x:auto;font-size:.85rem;b
 std::string element(std::string_view name, std::string_view text) {
   const std::string tag(name);
   return "<" + tag + ">" + escape(text) + "</" + tag + ">";
+}
+
+/// Numbers stand right, one under the other; sentences read from the left.
+bool holds_sentences(const std::vector<std::vector<std::string>>& rows, std::size_t column) {
+  return std::ranges::any_of(rows, [column](const std::vector<std::string>& row) {
+    return column < row.size() && row[column].size() > 32;
+  });
 }
 
 }  // namespace
@@ -63,13 +73,22 @@ void HtmlReport::table(const std::vector<std::string>& header,
                        const std::vector<std::vector<std::string>>& rows, std::string_view text) {
   body_ += "<table>\n";
   if (!text.empty()) body_ += element("caption", text) + "\n";
-  body_ += "<thead><tr>";
-  for (const auto& cell : header) body_ += element("th", cell);
-  body_ += "</tr></thead>\n<tbody>\n";
-  for (const auto& row : rows) {
+  std::vector<bool> words;
+  for (std::size_t i = 0; i < header.size(); ++i) words.push_back(holds_sentences(rows, i));
+  const auto add_row = [&](const std::string& tag, const std::vector<std::string>& cells) {
     body_ += "<tr>";
-    for (const auto& cell : row) body_ += element("td", cell);
-    body_ += "</tr>\n";
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      body_ += "<" + tag + (i < words.size() && words[i] ? " class=\"words\">" : ">") +
+               escape(cells[i]) + "</" + tag + ">";
+    }
+    body_ += "</tr>";
+  };
+  body_ += "<thead>";
+  add_row("th", header);
+  body_ += "</thead>\n<tbody>\n";
+  for (const auto& row : rows) {
+    add_row("td", row);
+    body_ += "\n";
   }
   body_ += "</tbody>\n</table>\n";
 }
@@ -81,6 +100,11 @@ void HtmlReport::figure(const Plot& plot, std::string_view text, Size size) {
 
 void HtmlReport::figure(const CellMap& map, std::string_view text) {
   body_ += "<figure>\n" + to_svg(map);
+  caption(text);
+}
+
+void HtmlReport::figure_svg(std::string_view svg, std::string_view text) {
+  body_ += "<figure>\n" + std::string(svg);
   caption(text);
 }
 

@@ -26,6 +26,8 @@ class HtmlReport {
              const std::vector<std::vector<std::string>>& rows, std::string_view caption = {});
   void figure(const Plot& plot, std::string_view caption, Size size = {});
   void figure(const CellMap& map, std::string_view caption);
+  /// A picture that is SVG already.
+  void figure_svg(std::string_view svg, std::string_view caption);
   /// Lines as they are, such as a model file.
   void code(std::string_view text);
 

@@ -78,6 +78,19 @@ std::string figures(double value, int significant) {
   return number(value / std::pow(10.0, exponent), significant - 1) + "e" + std::to_string(exponent);
 }
 
+Rounded rounded(double value, double lower, double upper) {
+  const double half = 0.5 * (upper - lower);
+  if (!(half > 0) || !std::isfinite(half)) return {figures(value), figures(lower), figures(upper)};
+  // Two digits of the half width, and never fewer than two of the value.
+  const int last = static_cast<int>(std::floor(std::log10(half))) - 1;
+  const auto digits = [last](double x) {
+    const int first = x == 0.0 ? last : static_cast<int>(std::floor(std::log10(std::abs(x))));
+    return std::clamp(first - last + 1, 2, 7);
+  };
+  return {figures(value, digits(value)), figures(lower, digits(lower)),
+          figures(upper, digits(upper))};
+}
+
 std::string with_unit(double value, std::string_view unit, int significant) {
   const std::string text = figures(value, significant);
   return unit.empty() ? text : text + " " + std::string(unit);

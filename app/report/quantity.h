@@ -19,6 +19,12 @@ std::string label_of(std::string_view name_with_unit);
 /// A number with so many significant digits, without an exponent where that stays short.
 std::string figures(double value, int significant = 3);
 
+/// A measured number with as many digits as its interval deserves, and the interval's ends.
+struct Rounded {
+  std::string value, lower, upper;
+};
+Rounded rounded(double value, double lower, double upper);
+
 /// "0.045 N·m".
 std::string with_unit(double value, std::string_view unit, int significant = 3);
 
