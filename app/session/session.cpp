@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <string_view>
+#include <utility>
 
 #include "acquisition/clock/placed_rows.h"
 #include "acquisition/recording/text_file.h"
@@ -52,8 +53,12 @@ estimator::LoadcellSignals loadcell_signals(const Recording& recording, const Pl
 }  // namespace
 
 Session open_session(const std::filesystem::path& recording) {
+  return session_of(acquisition::read_recording(recording));
+}
+
+Session session_of(acquisition::Recording recording) {
   Session session;
-  session.recording = acquisition::read_recording(recording);
+  session.recording = std::move(recording);
   session.clock = acquisition::synchronise(session.recording);
   const Stream& module = session.recording.module;
   const Stream& loadcell = session.recording.loadcell;

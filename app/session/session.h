@@ -20,6 +20,9 @@ struct Session {
 /// Reads and synchronises. Throws acquisition::InputError.
 Session open_session(const std::filesystem::path& recording);
 
+/// The same for a recording that is already in memory.
+Session session_of(acquisition::Recording recording);
+
 /// The model to hold against a recording: `model_file` where given, else model.toml in the
 /// recording, else none. Throws with one sentence where the file cannot be used.
 std::optional<estimator::Model> find_model(const std::filesystem::path& recording,

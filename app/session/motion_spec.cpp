@@ -1,0 +1,149 @@
+#include "app/session/motion_spec.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "acquisition/recording/text_file.h"
+
+namespace searig::app {
+namespace {
+
+using Kind = MotionSpec::Kind;
+
+constexpr std::array<std::pair<std::string_view, Kind>, 5> kinds{{
+    {"triangle", Kind::triangle},
+    {"sine", Kind::sine},
+    {"multisine", Kind::multisine},
+    {"staircase", Kind::staircase},
+    {"hold", Kind::hold},
+}};
+
+/// Reads the values of one file and names the place of what it cannot use.
+class Reader {
+ public:
+  explicit Reader(std::string file) : file_(std::move(file)) {}
+
+  [[noreturn]] void refuse(const toml::node& node, const std::string& what) const {
+    throw std::invalid_argument(file_ + ": line " + std::to_string(node.source().begin.line) +
+                                ": " + what);
+  }
+
+  /// A misspelled key must not be passed over in silence.
+  void only(const toml::table& table, std::initializer_list<std::string_view> known) const {
+    for (const auto& [key, node] : table) {
+      if (std::ranges::find(known, key.str()) == known.end())
+        refuse(node, "there is no " + std::string(key.str()) + " in a spec");
+    }
+  }
+
+  void magnitude(const toml::table& table, const char* key, double& value) const {
+    const auto* node = table.get(key);
+    if (!node) return;
+    const auto number = node->value<double>();
+    if (!number || !(*number >= 0.0))
+      refuse(*node, std::string(key) + " must be a number, not below 0");
+    value = *number;
+  }
+
+  void list(const toml::table& table, const char* key, std::vector<double>& values) const {
+    const auto* node = table.get(key);
+    if (!node) return;
+    values.clear();
+    if (const auto* array = node->as_array()) {
+      for (const auto& entry : *array) values.push_back(entry.value<double>().value_or(NAN));
+    } else {
+      values.push_back(node->value<double>().value_or(NAN));
+    }
+    const bool bad = std::ranges::any_of(values, [](double x) { return !std::isfinite(x); });
+    if (values.empty() || bad) refuse(*node, std::string(key) + " must be numbers");
+  }
+
+ private:
+  std::string file_;
+};
+
+Kind kind_of(const Reader& reader, const toml::node& node) {
+  const auto name = node.value<std::string>().value_or("");
+  for (const auto& [known, kind] : kinds)
+    if (name == known) return kind;
+  reader.refuse(node, "kind must be triangle, sine, multisine, staircase or hold");
+}
+
+/// The model stands in a file beside the spec, or in the spec itself.
+estimator::Model model_of(const Reader& reader, const toml::table& root,
+                          const std::filesystem::path& file) {
+  const auto* node = root.get("model");
+  if (!node) throw std::invalid_argument(file.string() + ": there is no model");
+  if (const auto name = node->value<std::string>()) {
+    const auto path = file.parent_path() / *name;
+    return estimator::parse_model(acquisition::read_text_file(path), path.string());
+  }
+  if (!node->is_table())
+    reader.refuse(*node, "model must be a file's name or the terms themselves");
+  toml::table terms = *node->as_table();
+  terms.insert("format", "searig-model/1");
+  std::ostringstream text;
+  text << terms;
+  return estimator::parse_model(text.str(), file.string() + " [model]");
+}
+
+void read_motion(const Reader& reader, const toml::table& motion, MotionSpec& spec) {
+  reader.only(motion, {"kind", "seconds", "amplitudes_rad", "frequencies_hz", "output_rad"});
+  if (const auto* kind = motion.get("kind")) spec.kind = kind_of(reader, *kind);
+  reader.magnitude(motion, "seconds", spec.seconds);
+  reader.magnitude(motion, "output_rad", spec.output_rad);
+  reader.list(motion, "amplitudes_rad", spec.amplitudes_rad);
+  reader.list(motion, "frequencies_hz", spec.frequencies_hz);
+}
+
+void read_tables(const Reader& reader, const toml::table& root, MotionSpec& spec) {
+  if (const auto* motion = root["motion"].as_table()) read_motion(reader, *motion, spec);
+  if (const auto* rates = root["rates"].as_table()) {
+    reader.only(*rates, {"module_hz", "loadcell_hz"});
+    reader.magnitude(*rates, "module_hz", spec.module_hz);
+    reader.magnitude(*rates, "loadcell_hz", spec.loadcell_hz);
+  }
+  if (const auto* noise = root["noise"].as_table()) {
+    reader.only(*noise, {"loadcell_nm", "current_a", "seed"});
+    reader.magnitude(*noise, "loadcell_nm", spec.noise.loadcell_nm);
+    reader.magnitude(*noise, "current_a", spec.noise.current_a);
+    spec.noise.seed = std::uint64_t((*noise)["seed"].value_or(std::int64_t(1)));
+  }
+  if (const auto* temperature = root["temperature"].as_table()) {
+    reader.only(*temperature, {"spring_c", "winding_c"});
+    reader.list(*temperature, "spring_c", spec.spring_c);
+    reader.list(*temperature, "winding_c", spec.winding_c);
+  }
+}
+
+}  // namespace
+
+MotionSpec read_motion_spec(const std::filesystem::path& file) {
+  toml::table root;
+  try {
+    root = toml::parse(acquisition::read_text_file(file), file.string());
+  } catch (const toml::parse_error& error) {
+    throw std::invalid_argument(file.string() + ": line " +
+                                std::to_string(error.source().begin.line) + ": " +
+                                std::string(error.description()));
+  }
+  const Reader reader(file.string());
+  reader.only(root, {"format", "model", "motion", "rates", "noise", "temperature"});
+  if (root["format"].value_or(std::string()) != "searig-spec/1")
+    throw std::invalid_argument(file.string() + ": format must be \"searig-spec/1\"");
+  MotionSpec spec;
+  spec.model = model_of(reader, root, file);
+  read_tables(reader, root, spec);
+  if (spec.seconds < 1.0 || spec.module_hz < 10.0 || spec.loadcell_hz < 1.0)
+    throw std::invalid_argument(file.string() +
+                                ": at least 1 s, 10 Hz for the module and 1 Hz for the load cell");
+  return spec;
+}
+
+}  // namespace searig::app
