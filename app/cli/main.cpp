@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   add_evaluate(app);
   add_diagnose(app);
   add_simulate(app);
+  add_effects(app);
   add_export(app);
   add_desktop(app);
 

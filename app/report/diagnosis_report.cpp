@@ -18,11 +18,6 @@ using estimator::ParameterEstimate;
 using estimator::Verdict;
 using Rows = std::vector<std::vector<std::string>>;
 
-std::string capital(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
-  return text;
-}
-
 std::string title_with(const Examined& examined) {
   std::string names;
   for (const Part& part : examined.parts) names += (names.empty() ? "" : ", ") + part.name;
@@ -128,15 +123,15 @@ void write_rivals(HtmlReport& report, const Finding& f) {
   }
 }
 
-void write_finding(HtmlReport& report, const Finding& f) {
+void write_finding(HtmlReport& report, const Diagnosis& d, const Finding& f) {
   const auto& about = estimator::find_effect(f.effect)->about();
   report.heading("Missing: " + about.title);
   report.paragraph("In the model file it is called " + f.effect +
                    ". The term is: " + about.equation + ".");
   report.paragraph("How to see it: " + about.looks_like + ".");
   const std::string place = where(f.located);
-  report.paragraph(capital(improvement(f.before_nm, f.after_nm)) + ". That is " +
-                   number(100.0 * f.located.share, 0) + " % of the mismatch" +
+  report.paragraph(capital(improvement(d, f)) + ". That is " + number(100.0 * f.located.share, 0) +
+                   " % of the mismatch" +
                    (place.empty() ? "." : "; most of it lies at " + place + "."));
   write_parameters(report, f.parameters);
   write_rivals(report, f);
@@ -269,7 +264,7 @@ HtmlReport diagnosis_report(const Examined& examined) {
   HtmlReport report(title_with(examined));
   report.verdict(headline(d));
   write_facts(report, examined);
-  for (const Finding& f : d.findings) write_finding(report, f);
+  for (const Finding& f : d.findings) write_finding(report, d, f);
   write_pictures(report, examined);
   write_maps(report, examined);
   write_errors(report, d);

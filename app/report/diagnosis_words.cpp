@@ -29,11 +29,6 @@ std::string joined(const std::vector<std::string>& parts, const std::string& las
   return out;
 }
 
-std::string capital(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
-  return text;
-}
-
 /// The path with the larger gain, for the headline.
 const PathErrors* clearest(const Diagnosis& d) {
   const auto gain = [](const std::optional<PathErrors>& p) {
@@ -105,9 +100,9 @@ std::string parameter_text(const ParameterEstimate& p) {
          " to " + r.upper + ")";
 }
 
-void describe(const Finding& f, std::vector<std::string>& out) {
+void describe(const Diagnosis& d, const Finding& f, std::vector<std::string>& out) {
   out.push_back(f.effect + ": " + title_of(f.effect) + ", " + how_sure(f.probability) + "; " +
-                improvement(f.before_nm, f.after_nm) + ".");
+                improvement(d, f) + ".");
   std::vector<std::string> numbers;
   for (const auto& p : in_order(f.parameters)) numbers.push_back(parameter_text(p));
   if (!numbers.empty()) out.push_back("  " + joined(numbers, ", ") + ".");
@@ -179,6 +174,15 @@ std::string improvement(double before_nm, double after_nm) {
          with_unit(after_nm, "N·m", 2);
 }
 
+std::string improvement(const Diagnosis& d, const Finding& f) {
+  const PathErrors* path = clearest(d);
+  if (path && d.findings.size() == 1 && f.after_nm > 0.9 * f.before_nm &&
+      path->after < 0.9 * path->before) {
+    return improvement(path->before, path->after);
+  }
+  return improvement(f.before_nm, f.after_nm);
+}
+
 bool is_measured(const ParameterEstimate& p) {
   return p.upper - p.lower > 1e-7 * std::abs(p.value);
 }
@@ -225,7 +229,7 @@ std::vector<std::string> moved_numbers(const Diagnosis& d,
 std::vector<std::string> sentences(const Diagnosis& d,
                                    const std::optional<estimator::Model>& given) {
   std::vector<std::string> out{headline(d)};
-  for (const Finding& f : d.findings) describe(f, out);
+  for (const Finding& f : d.findings) describe(d, f, out);
   if (d.unexplained) out.push_back(unexplained_sentence(*d.unexplained));
   const auto error_line = [&](const char* name, const std::optional<PathErrors>& p) {
     if (!p) return;

@@ -21,6 +21,10 @@ std::string where(const estimator::Located& located);
 /// "the error on data that no fit has seen falls from 0.21 to 0.011 N·m".
 std::string improvement(double before_nm, double after_nm);
 
+/// The same for a finding. Where clocks and zeros can feign it in its own path, it is the other
+/// path that shows the gain.
+std::string improvement(const estimator::Diagnosis& diagnosis, const estimator::Finding& finding);
+
 /// False for a number that the fit had to leave as the model gave it.
 bool is_measured(const estimator::ParameterEstimate& parameter);
 

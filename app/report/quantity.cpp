@@ -96,4 +96,9 @@ std::string with_unit(double value, std::string_view unit, int significant) {
   return unit.empty() ? text : text + " " + std::string(unit);
 }
 
+std::string capital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
+  return text;
+}
+
 }  // namespace searig::app

@@ -28,4 +28,7 @@ Rounded rounded(double value, double lower, double upper);
 /// "0.045 N·m".
 std::string with_unit(double value, std::string_view unit, int significant = 3);
 
+/// The text with a capital letter at its front.
+std::string capital(std::string text);
+
 }  // namespace searig::app

@@ -98,7 +98,8 @@ acquisition::Recording recording_of(const MotionSpec& spec) {
     q_o.push_back(spec.output_rad * multisine(t + 3.0, 0.7));
   }
   // Twice, so that speed is continuous and acceleration finite.
-  const auto width = std::size_t(0.06 * spec.module_hz);
+  const bool steps = spec.kind == Kind::staircase || spec.kind == Kind::hold;
+  const auto width = std::size_t((steps ? 0.2 : 0.06) * spec.module_hz);
   theta = rounded_off(rounded_off(theta, width), width);
   std::vector<double> q_i = q_o;
   for (std::size_t i = 0; i < q_i.size(); ++i) q_i[i] += theta[i];
