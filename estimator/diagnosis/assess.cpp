@@ -11,7 +11,9 @@ namespace {
 
 /// Rivals fit other functional forms of the same physics, so likelihoods are tempered: one part in
 /// fifty of the gain counts as one unit of log likelihood.
-double temperature(double gain) { return 1.0 + 0.02 * std::max(0.0, gain); }
+double temperature(double gain) {
+  return 1.0 + 0.02 * std::max(0.0, gain);
+}
 
 /// Whether the spring's residual and the drive's want the same amplitude of a spring term.
 bool both_agree(const Bench& bench, const Hypothesis& final, std::size_t piece, double gain) {
@@ -46,6 +48,8 @@ Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t
   out.without = step.before.hypothesis;
   out.gain = step.before.cost() - final.cost();
   out.rho = strength(bench, step.before, final);
+  if (!step.named.empty() && step.named.front().scored.cost() < final.cost() - 15.0)
+    out.better = step.named.front().scored;
   out.consistent = both_agree(bench, final.hypothesis, piece, out.gain);
 
   const double t = temperature(out.gain);
@@ -66,7 +70,9 @@ Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t
   out.probability = existence(out.gain, out.rho) / total;
   for (const auto& [name, w] : weight)
     out.alternatives.push_back({name, w / total, own.effect->about().separated_by});
-  if (nameless > 0.01) out.alternatives.push_back({"", nameless / total, "a recording of the same motion at another place, time or load"});
+  if (nameless > 0.01)
+    out.alternatives.push_back(
+        {"", nameless / total, "a recording of the same motion at another place, time or load"});
   std::ranges::sort(out.alternatives, std::greater{}, &Alternative::probability);
   return out;
 }

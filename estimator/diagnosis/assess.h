@@ -1,6 +1,8 @@
 // How sure: each accepted term against its rivals, everything else in place.
 #pragma once
 
+#include <optional>
+
 #include "estimator/diagnosis/diagnosis.h"
 #include "estimator/diagnosis/search.h"
 
@@ -8,9 +10,10 @@ namespace searig::estimator {
 
 /// A named piece of the final hypothesis, held against all rivals for its place.
 struct Assessment {
-  std::size_t piece = 0;   ///< in the final hypothesis
-  Hypothesis without;      ///< the rest, polished
-  double gain = 0.0;       ///< what the piece brings
+  std::size_t piece = 0;         ///< in the final hypothesis
+  Hypothesis without;            ///< the rest, polished
+  std::optional<Scored> better;  ///< with a rival in its place, where that fits clearly better
+  double gain = 0.0;             ///< what the piece brings
   double rho = 0.0;
   double probability = 0.0;
   std::vector<Alternative> alternatives;

@@ -74,10 +74,10 @@ const Eigen::MatrixXd& Bench::raw_columns(const Piece& piece, double delay_s, do
   const std::string key = key_of(piece, delay_s, lag_s);
   const auto it = raw_cache_.find(key);
   if (it != raw_cache_.end()) return it->second;
-  auto made = piece.atom ? stack(piece.atom->path, piece.atom->feature, delay_s, lag_s)
-                         : stack(piece.effect->path(),
-                                 piece.effect->features(experiment_.motion, piece.shape), delay_s,
-                                 lag_s);
+  auto made = piece.atom
+                  ? stack(piece.atom->path, piece.atom->feature, delay_s, lag_s)
+                  : stack(piece.effect->path(),
+                          piece.effect->features(experiment_.motion, piece.shape), delay_s, lag_s);
   return raw_cache_.emplace(key, std::move(made)).first->second;
 }
 
@@ -233,22 +233,29 @@ Eigen::MatrixXd Bench::assemble(const Hypothesis& hypothesis, Fit& fit, bool whi
   return out;
 }
 
+Fit Bench::unbounded_fit(const Hypothesis& hypothesis) const {
+  Fit out;
+  out.columns = assemble(hypothesis, out, true);
+  out.solution = solve(out.columns, right());
+  return out;
+}
+
 Fit Bench::fit(const Hypothesis& hypothesis) const {
   Fit out;
   out.columns = assemble(hypothesis, out, true);
   Eigen::VectorXd fixed = Eigen::VectorXd::Zero(out.columns.cols());
-  Eigen::MatrixXd free = out.columns;
-  Eigen::VectorXd right_side = right();
+  out.free_columns = out.columns;
+  out.free_right = right();
   // Nuisances may not go further than what is known of them: at a bound they stay there, and what
   // they would have taken is left for physics to explain.
   for (int round = 0; round < 3; ++round) {
-    out.solution = solve(free, right_side);
+    out.solution = solve(out.free_columns, out.free_right);
     bool held = false;
     for (Eigen::Index i = out.columns.cols() - prior_rows; i < out.columns.cols(); ++i) {
       if (fixed[i] != 0.0 || std::abs(out.solution.coefficients[i]) <= nuisance_bound) continue;
       fixed[i] = std::copysign(nuisance_bound, out.solution.coefficients[i]);
-      right_side -= out.columns.col(i) * fixed[i];
-      free.col(i).setZero();
+      out.free_right -= out.columns.col(i) * fixed[i];
+      out.free_columns.col(i).setZero();
       held = true;
     }
     if (!held) break;

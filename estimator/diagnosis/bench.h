@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ struct Atom {
   std::string channel;  ///< over which it is local: "deflection_rad", "time_s", ...
   double from = 0.0, to = 0.0;
   Eigen::VectorXd feature;  ///< on the motion's samples
+  /// The feature for another place, where the place is a matter of degree; else empty.
+  std::function<Eigen::VectorXd(double from, double to)> at = {};
 };
 
 /// One term of a hypothesis: an effect at a shape, or an atom.
@@ -36,6 +39,8 @@ using Hypothesis = std::vector<Piece>;
 struct Fit {
   Solution solution;
   Eigen::MatrixXd columns;          ///< whitened: pieces in order, then nuisances
+  Eigen::MatrixXd free_columns;     ///< the same without nuisances that are at their bound
+  Eigen::VectorXd free_right;       ///< what is left for the free columns to explain
   std::vector<Eigen::Index> first;  ///< first column of each piece; tied pieces point to theirs
   std::vector<Eigen::Index> count;
 
@@ -61,6 +66,8 @@ class Bench {
   void learn_torque(const Hypothesis& hypothesis);
 
   Fit fit(const Hypothesis& hypothesis) const;
+  /// The same with nothing but their priors to hold the nuisances.
+  Fit unbounded_fit(const Hypothesis& hypothesis) const;
   /// Residual before whitening, in N*m, prior rows included.
   Eigen::VectorXd raw_residual(const Hypothesis& hypothesis, const Fit& fit) const;
   /// One piece's whitened columns, as the load cell sees them at the given delay and lag.

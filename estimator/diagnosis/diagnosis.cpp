@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <stdexcept>
 
 #include "estimator/diagnosis/assess.h"
+#include "estimator/diagnosis/bursts.h"
 #include "estimator/diagnosis/dense_map.h"
 #include "estimator/diagnosis/heldout.h"
 #include "estimator/diagnosis/locate.h"
@@ -95,6 +97,18 @@ class Diagnostician {
     final_ = search_.score(rivals.hypothesis).cost() < search_.score(beside.hypothesis).cost()
                  ? rivals
                  : beside;
+    refine_atoms();
+  }
+
+  /// Atoms come from a coarse grid of places; what they tell is where.
+  void refine_atoms() {
+    for (std::size_t i = 0; i < final_.hypothesis.size(); ++i) {
+      if (!final_.hypothesis[i].atom) continue;
+      Hypothesis rest = final_.hypothesis;
+      rest.erase(rest.begin() + std::ptrdiff_t(i));
+      refined_.push_back(refined(bench_, rest, *final_.hypothesis[i].atom));
+      final_.hypothesis[i].atom = &refined_.back();
+    }
   }
 
   bool in_base(const Piece& piece) const {
@@ -103,26 +117,31 @@ class Diagnostician {
     });
   }
 
-  /// Drops named pieces that do not hold once everything is in place.
+  /// Drops named pieces that do not hold once everything is in place, and lets rivals that fit
+  /// better in their place take it.
   void judge() {
     search_.learn_noise(final_.hypothesis);
     final_ = search_.score(final_.hypothesis);
-    bool dropped = true;
-    while (dropped) {
-      dropped = false;
-      assessments_.clear();
-      for (std::size_t i = 0; i < final_.hypothesis.size() && !dropped; ++i) {
-        const Piece piece = final_.hypothesis[i];
-        if (piece.atom || in_base(piece)) continue;
-        Assessment a = assess(search_, bench_, final_, i);
-        if (a.gain < search_.criteria().least_gain || a.rho < search_.criteria().least_rho) {
-          final_ = search_.score(a.without);
-          dropped = true;
-        } else {
-          assessments_.push_back(std::move(a));
-        }
+    for (int changes = 0; changes < 6; ++changes)
+      if (!change_one()) return;
+  }
+
+  bool change_one() {
+    assessments_.clear();
+    for (std::size_t i = 0; i < final_.hypothesis.size(); ++i) {
+      const Piece piece = final_.hypothesis[i];
+      if (piece.atom || in_base(piece)) continue;
+      Assessment a = assess(search_, bench_, final_, i);
+      const bool weak =
+          a.gain < search_.criteria().least_gain || a.rho < search_.criteria().least_rho;
+      if (!weak && !a.better) {
+        assessments_.push_back(std::move(a));
+        continue;
       }
+      final_ = a.better ? *a.better : search_.score(a.without);
+      return true;
     }
+    return false;
   }
 
   /// Held-out residuals of a hypothesis.
@@ -147,14 +166,22 @@ class Diagnostician {
     const Eigen::VectorXd left =
         bench_.raw_residual(final_.hypothesis, bench_.fit(final_.hypothesis));
     if (e.has_spring())
-      out_.spring = errors(before.spring, after.spring, given.spring,
-                           usable_rms(left, 0, e.loadcell_rows()));
+      out_.spring =
+          errors(before.spring, after.spring, given.spring, usable_rms(left, 0, e.loadcell_rows()));
     if (e.has_drive())
       out_.drive = errors(before.drive, after.drive, given.drive,
                           usable_rms(left, e.loadcell_rows(), e.rows()));
-    const auto keep = [](const Eigen::VectorXd& x) { return std::vector<double>(x.begin(), x.end()); };
-    out_.traces = {e.loadcell_t, keep(e.loadcell_nm), keep(before.spring), keep(after.spring),
-                   keep(before.drive), keep(after.drive)};
+    const auto keep = [](const Eigen::VectorXd& x) {
+      return std::vector<double>(x.begin(), x.end());
+    };
+    std::vector<double> t_s = e.loadcell_t;
+    for (double& t : t_s) t += e.start_s;
+    out_.traces = {t_s,
+                   keep(e.loadcell_nm),
+                   keep(before.spring),
+                   keep(after.spring),
+                   keep(before.drive),
+                   keep(after.drive)};
     out_.map = map_of(bench_, dense_, base_.hypothesis, final_.hypothesis);
   }
 
@@ -175,7 +202,12 @@ class Diagnostician {
     for (const auto& p : parameters)
       if (given_.has(p.effect)) out_.numbers.push_back(p);
     unexplained();
+    for (const auto look : {wanders, blows, loud_while})
+      if (!out_.unexplained) out_.unexplained = look(bench_, final_.hypothesis);
+    doubt_beside_unexplained();
     withdraw_doubtful();
+    settle_offsets(fit);
+    merge_late();
     for (auto& u : undecidable(bench_, final_.hypothesis)) out_.undecidable.push_back(std::move(u));
     out_.verdict = verdict();
   }
@@ -214,8 +246,8 @@ class Diagnostician {
     });
     if (atoms.empty()) return;
     Unexplained u;
-    u.located = locate(bench_, without, final_.hypothesis, atoms.front()->path,
-                       atoms.front()->channel);
+    u.located =
+        locate(bench_, without, final_.hypothesis, atoms.front()->path, atoms.front()->channel);
     u.what = atoms.front()->what;
     const bool drive = atoms.front()->path == Path::drive;
     const auto before = heldout_residuals(bench_, without);
@@ -225,6 +257,19 @@ class Diagnostician {
     u.located.share = std::clamp(1.0 - a * a / (b * b), 0.0, 1.0);
     u.p_value = 0.001;  // the atoms passed the search's own null, see Criteria
     out_.unexplained = u;
+  }
+
+  /// Where something without a name is left in the same residuals, and it is not small beside a
+  /// finding, the name may be the nearest one only. A straight drift under a wandering zero is
+  /// void.
+  void doubt_beside_unexplained() {
+    if (!out_.unexplained) return;
+    const auto& left = out_.unexplained->located;
+    for (auto& f : out_.findings)
+      if (f.located.residuals == left.residuals && left.share > 0.1 * f.located.share)
+        f.probability *= 0.65;
+    if (out_.unexplained->what == "the load cell's zero wanders")
+      std::erase_if(out_.findings, [](const Finding& f) { return f.effect == "rig.zero_drift"; });
   }
 
   /// What is as likely nameless, or contradicts itself between the residuals, is not asserted.
@@ -238,18 +283,65 @@ class Diagnostician {
                                       f.alternatives.front().probability >= f.probability;
       if (a->consistent && !nameless_as_likely) return false;
       if (!out_.unexplained)
-        out_.unexplained = Unexplained{f.located, 0.001,
-                                       a->consistent ? "as likely something without a name as " + f.effect
-                                                     : "the residuals disagree about " + f.effect};
+        out_.unexplained =
+            Unexplained{f.located, 0.001,
+                        a->consistent ? "as likely something without a name as " + f.effect
+                                      : "the residuals disagree about " + f.effect};
       return true;
     });
+  }
+
+  /// A constant between drive and spring is a current offset, or one of the deflection (a number,
+  /// not physics). With the load cell's own zero free, only parsimony tells: the one that leaves
+  /// the load cell's zero at nothing.
+  void settle_offsets(const Fit& fit) {
+    const auto found = std::ranges::find(out_.findings, "drive.current_offset", &Finding::effect);
+    const Eigen::Index zero = fit.columns.cols() - bench_.nuisance_count();
+    const double loadcell = fit.solution.coefficients[zero];
+    const double loadcell_sd = 3.0 * fit.solution.sd[zero];
+    offset_nm_ = std::abs(loadcell) > std::max(loadcell_sd, 0.003 * bench_.experiment().torque_rms)
+                     ? loadcell
+                     : 0.0;
+    if (found == out_.findings.end()) return;
+    double drive = 0.0;
+    for (std::size_t i = 0; i < final_.hypothesis.size(); ++i)
+      if (final_.hypothesis[i].effect && final_.hypothesis[i].effect->name() == found->effect)
+        drive = fit.amplitudes(i)[0];
+    const double tolerance = std::max(loadcell_sd, 0.15 * std::abs(drive));
+    if (std::abs(loadcell) <= tolerance) return;
+    const bool deflection = std::abs(loadcell - drive) <= tolerance;
+    out_.findings.erase(found);
+    std::erase_if(out_.extended.terms,
+                  [](const Term& t) { return t.effect == "drive.current_offset"; });
+    offset_nm_ = loadcell;
+    if (deflection) {
+      out_.notes.push_back("the deflection has an offset: a number, to be tared");
+      return;
+    }
+    out_.undecidable.push_back(
+        {{"drive.current_offset"},
+         "load cell, deflection and current disagree by constants; two of the "
+         "three are off, and no recording tells which",
+         "readings at rest, unloaded, with the motor switched off"});
+  }
+
+  /// Delay and lag are one finding: the load cell answers late. The larger time names it.
+  void merge_late() {
+    const auto delay = std::ranges::find(out_.findings, "rig.delay", &Finding::effect);
+    const auto lag = std::ranges::find(out_.findings, "rig.lag", &Finding::effect);
+    if (delay == out_.findings.end() || lag == out_.findings.end()) return;
+    const bool lag_names = lag->parameters[0].value > std::abs(delay->parameters[0].value);
+    Finding &kept = lag_names ? *lag : *delay, &other = lag_names ? *delay : *lag;
+    kept.probability = std::max(kept.probability, other.probability);
+    kept.parameters.insert(kept.parameters.end(), other.parameters.begin(), other.parameters.end());
+    out_.findings.erase(lag_names ? delay : lag);
   }
 
   Verdict verdict() const {
     if (!out_.findings.empty()) return Verdict::missing_physics;
     if (out_.unexplained) return Verdict::unexplained;
     if (!has_model_) return Verdict::recalibrate;
-    return numbers_hold() ? Verdict::consistent : Verdict::recalibrate;
+    return numbers_hold() && offset_nm_ == 0.0 ? Verdict::consistent : Verdict::recalibrate;
   }
 
   /// Whether each given number lies within its interval, widened by one percent for what filters
@@ -271,6 +363,8 @@ class Diagnostician {
   Search search_;
   Scored base_, final_;
   std::vector<Assessment> assessments_;
+  std::deque<Atom> refined_;  // atoms of final_ that were moved; addresses stay
+  double offset_nm_ = 0.0;    // of the load cell, where it is one
   Diagnosis out_;
 };
 

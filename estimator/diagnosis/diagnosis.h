@@ -40,7 +40,7 @@ struct Located {
   std::vector<std::string> residuals;  ///< "loadcell-spring", "loadcell-drive", "drive-spring"
   double share = 0.0;                  ///< of before^2 - noise^2, on held-out data
   std::vector<Region> regions;
-  std::vector<std::pair<double, double>> intervals_s;  ///< module time from the first sample
+  std::vector<std::pair<double, double>> intervals_s;  ///< on the module's clock
 };
 
 /// rms of the difference at the load cell's samples, N*m; see the contract.
@@ -72,7 +72,7 @@ struct Undecidable {
 
 /// Residuals for plots, at the load cell's samples.
 struct Traces {
-  std::vector<double> t_s;  ///< module time from the first sample
+  std::vector<double> t_s;                                             ///< on the module's clock
   std::vector<double> measured_nm, spring_before_nm, spring_after_nm;  ///< residuals, not torques
   std::vector<double> drive_before_nm, drive_after_nm;                 ///< NaN while it sticks
 };

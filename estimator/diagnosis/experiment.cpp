@@ -60,7 +60,14 @@ std::vector<bool> spikes(const Eigen::VectorXd& x) {
   std::vector<bool> out(n, false);
   for (std::size_t i = 2; i + 2 < n; ++i)
     out[i] = apart[i] > limit && apart[i] >= apart[i - 1] && apart[i] >= apart[i + 1];
-  return out;
+  // Many of them close together are no spikes but something that shakes.
+  std::vector<bool> alone = out;
+  constexpr std::size_t reach = 25;
+  for (std::size_t i = reach; i + reach < n; ++i)
+    if (out[i] && std::count(out.begin() + std::ptrdiff_t(i - reach),
+                             out.begin() + std::ptrdiff_t(i + reach), true) > 4)
+      alone[i] = false;
+  return alone;
 }
 
 /// Whether the input moves throughout the window around each row, one way.
@@ -126,7 +133,8 @@ void weigh_holds(Experiment& e, const ModuleSignals& module) {
   double noise = 0.0;  // what neighbouring samples differ by, while nothing happens
   std::vector<double> apart;
   for (Eigen::Index i = 1; i + 1 < n; ++i)
-    apart.push_back(std::abs(e.loadcell_nm[i] - 0.5 * (e.loadcell_nm[i - 1] + e.loadcell_nm[i + 1])));
+    apart.push_back(
+        std::abs(e.loadcell_nm[i] - 0.5 * (e.loadcell_nm[i - 1] + e.loadcell_nm[i + 1])));
   std::ranges::nth_element(apart, apart.begin() + std::ptrdiff_t(apart.size() / 2));
   noise = std::max(1.2 * apart[apart.size() / 2], 1e-12);
   const double error = std::abs(k) * q / std::sqrt(12.0);

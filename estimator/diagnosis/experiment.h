@@ -30,8 +30,8 @@ struct Experiment {
   double loadcell_width_s = 0.02, drive_width_s = 0.02;  ///< averaging windows
   Sampler at_loadcell, at_drive;
 
-  double clock_sd_s = 0.0;   ///< what the clock map leaves open, one standard deviation
-  double torque_rms = 0.0;   ///< of the load cell
+  double clock_sd_s = 0.0;  ///< what the clock map leaves open, one standard deviation
+  double torque_rms = 0.0;  ///< of the load cell
 
   bool has_spring() const { return !loadcell_t.empty() && motion.has_spring(); }
   bool has_drive() const { return !drive_t.empty(); }

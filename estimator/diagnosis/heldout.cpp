@@ -18,9 +18,8 @@ struct Predictors {
 
 Eigen::MatrixXd at_loadcell(const Bench& bench, const Piece& piece, const Seen& seen) {
   const Experiment& e = bench.experiment();
-  const Eigen::MatrixXd features =
-      piece.atom ? Eigen::MatrixXd(piece.atom->feature)
-                 : piece.effect->features(e.motion, piece.shape);
+  const Eigen::MatrixXd features = piece.atom ? Eigen::MatrixXd(piece.atom->feature)
+                                              : piece.effect->features(e.motion, piece.shape);
   // Any path but `drive` is laid on the load cell's rows, through delay and lag.
   if (e.has_spring())
     return bench.stack(Path::rig, features, seen.delay_s, seen.lag_s).topRows(e.loadcell_rows());
@@ -79,20 +78,24 @@ PathResiduals heldout_residuals(const Bench& bench, const Hypothesis& hypothesis
   const Experiment& e = bench.experiment();
   const Fit fit = bench.fit(hypothesis);
   const Predictors p = predictors(bench, hypothesis, fit);
-  const Eigen::VectorXd right = bench.right();
+  const Eigen::MatrixXd& columns = fit.free_columns;
+  const Eigen::VectorXd& right = fit.free_right;
+  Eigen::VectorXd held = fit.solution.coefficients;  // nuisances at their bound stay there
+  for (Eigen::Index i = 0; i < held.size(); ++i)
+    if (columns.col(i).squaredNorm() > 0 || fit.columns.col(i).squaredNorm() == 0) held[i] = 0.0;
   const std::vector<int> block = bench.blocks();
   const int blocks = *std::max_element(block.begin(), block.end()) + 1;
-  const Eigen::MatrixXd all = fit.columns.transpose() * fit.columns;
-  const Eigen::VectorXd moment = fit.columns.transpose() * right;
+  const Eigen::MatrixXd all = columns.transpose() * columns;
+  const Eigen::VectorXd moment = columns.transpose() * right;
   PathResiduals out = blank(e.loadcell_nm.size());
   for (int b = 0; b < blocks; ++b) {
     Eigen::MatrixXd normal = all;
     Eigen::VectorXd m = moment;
-    for (Eigen::Index from = 0; from < fit.columns.rows();) {
+    for (Eigen::Index from = 0; from < columns.rows();) {
       Eigen::Index to = from;
-      while (to < fit.columns.rows() && block[std::size_t(to)] == block[std::size_t(from)]) ++to;
+      while (to < columns.rows() && block[std::size_t(to)] == block[std::size_t(from)]) ++to;
       if (block[std::size_t(from)] == b) {
-        const auto rows = fit.columns.middleRows(from, to - from);
+        const auto rows = columns.middleRows(from, to - from);
         normal -= rows.transpose() * rows;
         m -= rows.transpose() * right.segment(from, to - from);
       }
@@ -103,7 +106,7 @@ PathResiduals heldout_residuals(const Bench& bench, const Hypothesis& hypothesis
     normal = scale.asDiagonal() * normal * scale.asDiagonal();
     normal.diagonal().array() += 1e-10;
     const Eigen::VectorXd x =
-        scale.cwiseProduct(Eigen::VectorXd(normal.ldlt().solve(scale.cwiseProduct(m))));
+        held + scale.cwiseProduct(Eigen::VectorXd(normal.ldlt().solve(scale.cwiseProduct(m))));
     for (Eigen::Index i = 0; i < e.loadcell_nm.size(); ++i)
       if (std::clamp(int(blocks * e.loadcell_t[std::size_t(i)] / e.motion.t.back()), 0,
                      blocks - 1) == b)

@@ -80,6 +80,7 @@ std::vector<std::pair<double, double>> intervals(const Experiment& e,
     else
       out.emplace_back(double(s), to);
   }
+  for (auto& [from, to] : out) from += e.start_s, to += e.start_s;
   return out;
 }
 
@@ -87,10 +88,13 @@ std::vector<std::pair<double, double>> intervals(const Experiment& e,
 
 std::vector<std::string> residuals_of(Path path) {
   switch (path) {
-    case Path::spring: return {"loadcell-spring", "drive-spring"};
-    case Path::drive: return {"loadcell-drive", "drive-spring"};
+    case Path::spring:
+      return {"loadcell-spring", "drive-spring"};
+    case Path::drive:
+      return {"loadcell-drive", "drive-spring"};
     case Path::rig:
-    case Path::observation: return {"loadcell-spring", "loadcell-drive"};
+    case Path::observation:
+      return {"loadcell-spring", "loadcell-drive"};
   }
   return {};
 }
@@ -118,10 +122,8 @@ std::vector<Cell> map_of(const Bench& bench, const std::vector<Atom>& dense,
       const auto gain = projections[i].gain(column);
       score[i] = std::copysign(std::sqrt(std::max(0.0, gain.sse)), gain.coefficients[0]);
     }
-    out.push_back({residuals_of(atom.path)[0],
-                   {atom.channel, atom.from, atom.to},
-                   score[0],
-                   score[1]});
+    out.push_back(
+        {residuals_of(atom.path)[0], {atom.channel, atom.from, atom.to}, score[0], score[1]});
   }
   return out;
 }

@@ -94,6 +94,8 @@ Eigen::MatrixXd Whitening::operator()(const Eigen::MatrixXd& columns) const {
   return out;
 }
 
-Eigen::Index Whitening::used_rows() const { return std::ranges::count(counts_, true); }
+Eigen::Index Whitening::used_rows() const {
+  return std::ranges::count(counts_, true);
+}
 
 }  // namespace searig::estimator

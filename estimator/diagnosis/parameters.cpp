@@ -1,6 +1,7 @@
 #include "estimator/diagnosis/parameters.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 namespace searig::estimator {
@@ -19,7 +20,9 @@ std::vector<ShapePlace> shape_places(const Hypothesis& hypothesis) {
   return out;
 }
 
-double step_of(double value) { return 1e-4 * std::max(std::abs(value), 1e-3); }
+double step_of(double value) {
+  return 1e-4 * std::max(std::abs(value), 1e-3);
+}
 
 Hypothesis nudged(Hypothesis h, const ShapePlace& at, double by) {
   h[at.piece].shape[at.value] += by;
@@ -41,14 +44,32 @@ Eigen::MatrixXd jacobian(const Bench& bench, const Hypothesis& hypothesis, const
   return out;
 }
 
-Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& j) {
+/// The larger of two covariances: what white residuals imply, and what the scatter of whole blocks
+/// implies (the cluster sandwich of K.-Y. Liang, S. Zeger, Biometrika 73, 1986), which also sees
+/// what the model leaves unexplained. Returned as {H^-1, H^-1 B H^-1}.
+struct Covariances {
+  Eigen::MatrixXd model, blocks;
+  double quantile;  ///< of Student's t for the number of blocks, at 97.5 %
+};
+
+Covariances covariances_of(const Eigen::MatrixXd& j, const Eigen::VectorXd& residual,
+                           const std::vector<int>& block) {
   Eigen::VectorXd scale = j.colwise().norm();
   scale = (scale.array() > 0).select(scale.cwiseInverse(), 0.0);
   Eigen::MatrixXd normal = scale.asDiagonal() * (j.transpose() * j) * scale.asDiagonal();
   normal.diagonal().array() += 1e-9;
   const Eigen::MatrixXd inverse =
       normal.ldlt().solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols()));
-  return scale.asDiagonal() * inverse * scale.asDiagonal();
+  const int blocks = *std::ranges::max_element(block) + 1;
+  Eigen::MatrixXd score = Eigen::MatrixXd::Zero(j.cols(), blocks);
+  for (Eigen::Index i = 0; i < j.rows(); ++i)
+    if (block[std::size_t(i)] >= 0) score.col(block[std::size_t(i)]) += j.row(i) * residual[i];
+  const Eigen::MatrixXd bread = scale.asDiagonal() * inverse * scale.asDiagonal();
+  const Eigen::MatrixXd lever = bread * score;
+  const double t[] = {12.7, 4.30, 3.18, 2.78, 2.57, 2.45, 2.36, 2.31, 2.26, 2.23};
+  const int freedom = std::max(1, blocks - 1);
+  return {bread, lever * lever.transpose() * (double(blocks) / freedom),
+          freedom <= 10 ? t[freedom - 1] : 2.1};
 }
 
 Eigen::VectorXd flat(const Model& model) {
@@ -86,7 +107,8 @@ Model model_of(const Bench& bench, const Hypothesis& hypothesis, const Fit& layo
 std::vector<ParameterEstimate> estimate_parameters(const Bench& bench, const Hypothesis& hypothesis,
                                                    const Fit& fit, const Model& given) {
   const auto places = shape_places(hypothesis);
-  const Eigen::MatrixXd covariance = covariance_of(jacobian(bench, hypothesis, fit, places));
+  const auto [covariance, between_blocks, quantile] = covariances_of(
+      jacobian(bench, hypothesis, fit, places), fit.solution.residual, bench.blocks());
   const Eigen::VectorXd& x = fit.solution.coefficients;
   const Model model = model_of(bench, hypothesis, fit, x, given);
   const Eigen::VectorXd value = flat(model);
@@ -111,8 +133,9 @@ std::vector<ParameterEstimate> estimate_parameters(const Bench& bench, const Hyp
   for (const auto& term : model.terms)
     for (const auto& [name, number] : term.parameters) {
       const Eigen::VectorXd g = gradient.row(row++);
-      const double sd = std::sqrt(std::max(0.0, g.dot(covariance * g)));
-      out.push_back({term.effect, name, number, number - 1.96 * sd, number + 1.96 * sd});
+      const double half = std::max(1.96 * std::sqrt(std::max(0.0, g.dot(covariance * g))),
+                                   quantile * std::sqrt(std::max(0.0, g.dot(between_blocks * g))));
+      out.push_back({term.effect, name, number, number - half, number + half});
     }
   return out;
 }

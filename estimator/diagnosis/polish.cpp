@@ -8,7 +8,8 @@
 namespace searig::estimator {
 namespace {
 
-/// Where a polished value lives, and how it is transformed: sizes by their logarithm, a delay as is.
+/// Where a polished value lives, and how it is transformed: sizes by their logarithm, a delay as
+/// is.
 struct Place {
   std::size_t piece, value;
   bool logarithmic;
@@ -56,16 +57,16 @@ Hypothesis polish(const Bench& bench, Hypothesis hypothesis, int max_iterations)
   }
   ceres::NumericDiffOptions steps;
   steps.relative_step_size = 1e-3;
-  auto* cost =
-      new ceres::DynamicNumericDiffCostFunction<Residual, ceres::FORWARD>(
-          new Residual{bench, hypothesis, places}, ceres::TAKE_OWNERSHIP, steps);
+  auto* cost = new ceres::DynamicNumericDiffCostFunction<Residual, ceres::FORWARD>(
+      new Residual{bench, hypothesis, places}, ceres::TAKE_OWNERSHIP, steps);
   cost->AddParameterBlock(int(x.size()));
   cost->SetNumResiduals(int(bench.total_rows()));
   ceres::Problem problem;
   problem.AddResidualBlock(cost, nullptr, x.data());
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto range = hypothesis[places[i].piece].effect->shape_range(bench.experiment().motion,
-                                                                      places[i].value);
+    const Piece& piece = hypothesis[places[i].piece];
+    const auto range =
+        piece.effect->shape_range(bench.experiment().motion, piece.shape, places[i].value);
     const auto put = [&](double v) { return places[i].logarithmic ? std::log(v) : v; };
     x[i] = std::clamp(x[i], put(range.lower), put(range.upper));
     problem.SetParameterLowerBound(x.data(), int(i), put(range.lower));

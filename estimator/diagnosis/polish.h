@@ -1,4 +1,5 @@
-// Refines all shapes of a hypothesis together, amplitudes eliminated (variable projection), by Ceres.
+// Refines all shapes of a hypothesis together, amplitudes eliminated (variable projection), by
+// Ceres.
 #pragma once
 
 #include "estimator/diagnosis/bench.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimator/diagnosis/parameters.h"
 #include "estimator/diagnosis/polish.h"
 #include "estimator/physics/catalogue.h"
 
@@ -41,14 +42,19 @@ double motor_gain(const Bench& bench, const Hypothesis& hypothesis, const Fit& f
 }
 
 /// Beyond four standard deviations a residual counts only linearly (P. Huber, 1964).
-double huber(double e) { return std::abs(e) < 4.0 ? e * e : 8.0 * std::abs(e) - 16.0; }
+double huber(double e) {
+  return std::abs(e) < 4.0 ? e * e : 8.0 * std::abs(e) - 16.0;
+}
 
 }  // namespace
 
 Search::Search(Bench& bench, const std::vector<Atom>& dense, const std::vector<Atom>& atoms,
                const Model& model, Criteria criteria)
     : bench_(bench), atoms_(atoms), model_(model), criteria_(criteria) {
-  for (const auto& atom : dense) cleaners_.push_back({nullptr, {}, &atom});
+  for (const auto& term : model.terms) given_.insert(find_effect(term.effect));
+  for (const auto& atom :
+       dense)  // slow noise is noise: it must not be cleaned out with the time cells
+    if (atom.channel != "time_s") cleaners_.push_back({nullptr, {}, &atom});
   for (const Effect* effect : catalogue()) {
     if (!effect->applies(bench.experiment().motion)) continue;
     const auto grid = effect->shape_grid(bench.experiment().motion);
@@ -73,14 +79,16 @@ double Search::deviance(const Hypothesis& hypothesis, const Fit& fit) const {
   const Eigen::Index rows = bench_.experiment().rows(), split = bench_.whitening().split();
   const double amperes = gain_ / motor_gain(bench_, hypothesis, fit);
   double out = fit.solution.coefficients.tail(bench_.nuisance_count() - 1).squaredNorm();
-  for (Eigen::Index i = 0; i < rows; ++i) out += huber(i < split ? residual[i] : residual[i] * amperes);
+  for (Eigen::Index i = 0; i < rows; ++i)
+    out += huber(i < split ? residual[i] : residual[i] * amperes);
   return out;
 }
 
 Piece Search::extended(const Hypothesis& from, const Effect& effect,
                        std::vector<double> shape) const {
   for (const auto& piece : from)
-    if (piece.effect == &effect) shape.insert(shape.begin(), piece.shape.begin(), piece.shape.end());
+    if (piece.effect == &effect)
+      shape.insert(shape.begin(), piece.shape.begin(), piece.shape.end());
   return {&effect, std::move(shape), nullptr};
 }
 
@@ -118,13 +126,35 @@ std::vector<Search::Ranked> Search::screen(const Hypothesis& from, const Project
 }
 
 std::vector<std::vector<Piece>> Search::shortlist_named(const Hypothesis& from) {
-  const Projection projection(bench_.fit(from).columns, bench_.right());
+  const Fit fit = bench_.fit(from);
+  const Projection projection(fit.free_columns, fit.free_right);
   const auto ranked = screen(from, projection);
   std::vector<std::vector<Piece>> out;
   for (const auto& r : ranked)
     if (out.size() < polished_named && r.gain > std::max(8.0, 0.05 * ranked.front().gain))
       out.push_back({extended(from, *r.piece.effect, r.piece.shape)});
+  std::vector<std::vector<Piece>> late;
+  for (const auto& pieces : out)
+    for (auto& pair : with_late_loadcell(from, pieces)) late.push_back(std::move(pair));
+  out.insert(out.end(), late.begin(), late.end());
   if (const auto pair = best_pair(from, projection, ranked); !pair.empty()) out.push_back(pair);
+  return out;
+}
+
+/// A damper hides behind a load cell that is late by c/k, and the other way round. Where a term
+/// only fits if the load cell's clock is wrong by more than it can be, the late load cell is its
+/// partner.
+std::vector<std::vector<Piece>> Search::with_late_loadcell(const Hypothesis& from,
+                                                           const std::vector<Piece>& pieces) {
+  const Effect *delay = find_effect("rig.delay"), *lag = find_effect("rig.lag");
+  const bool spring = pieces.front().effect->path() == Path::spring;
+  if (!spring || holds(from, delay) || holds(from, lag)) return {};
+  const Fit fit = bench_.unbounded_fit(with(from, pieces));
+  const double late_s = -fit.solution.coefficients.tail(bench_.nuisance_count() - 1)[0] *
+                        bench_.experiment().clock_sd_s;
+  if (std::abs(late_s) < 2.0 * bench_.experiment().clock_sd_s) return {};
+  std::vector<std::vector<Piece>> out{{pieces.front(), {delay, {late_s}, nullptr}}};
+  if (late_s > 0) out.push_back({pieces.front(), {lag, {late_s}, nullptr}});
   return out;
 }
 
@@ -133,8 +163,9 @@ std::vector<Piece> Search::best_pair(const Hypothesis& from, const Projection& p
   if (ranked.empty()) return {};
   double best = std::max(1.3 * ranked.front().gain, ranked.front().gain + 60.0);
   std::vector<Piece> out;
-  for (std::size_t i = 0; i < ranked.size(); ++i)
-    for (std::size_t j = i + 1; j < ranked.size(); ++j) {
+  const std::size_t n = std::min<std::size_t>(8, ranked.size());
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) {
       const Piece &a = ranked[i].piece, &b = ranked[j].piece;
       if (holds(from, a.effect) || holds(from, b.effect)) continue;
       const Eigen::MatrixXd ca = bench_.screening_columns(a), cb = bench_.screening_columns(b);
@@ -156,7 +187,8 @@ std::vector<Piece> Search::best_pair(const Hypothesis& from, const Projection& p
 
 std::vector<std::vector<Piece>> Search::shortlist_unnamed(const Hypothesis& from,
                                                           std::size_t most) {
-  const Projection projection(bench_.fit(from).columns, bench_.right());
+  const Fit fit = bench_.fit(from);
+  const Projection projection(fit.free_columns, fit.free_right);
   std::vector<std::pair<double, const Atom*>> ranked;
   for (const auto& atom : atoms_) {
     const auto gain = projection.gain(bench_.screening_columns({nullptr, {}, &atom}));
@@ -185,9 +217,27 @@ Step Search::step(const Hypothesis& from) {
   return out;
 }
 
+bool Search::at_its_bound(const Piece& piece) const {
+  for (std::size_t v = 0; v < piece.effect->free_shape(piece.shape); ++v) {
+    const auto range = piece.effect->shape_range(bench_.experiment().motion, piece.shape, v);
+    if (piece.shape[v] < 1.02 * range.lower && range.lower > 0) return true;
+    if (piece.shape[v] > 0.98 * range.upper) return true;
+  }
+  return false;
+}
+
 bool Search::believable(const Contender& contender) {
   const auto& hypothesis = contender.scored.hypothesis;
   const Fit fit = bench_.fit(hypothesis);
+  const Model numbers = model_of(bench_, hypothesis, fit, fit.solution.coefficients, model_);
+  for (const auto& piece : hypothesis) {
+    if (!piece.effect || given_.contains(piece.effect)) continue;
+    if (at_its_bound(piece)) return false;
+    for (const auto& p : piece.effect->parameters()) {  // a softening by more than everything
+      const auto value = numbers.get(piece.effect->name(), p.name);
+      if (value && (*value < p.lower || *value > p.upper)) return false;
+    }
+  }
   for (std::size_t i = 0; i < hypothesis.size(); ++i) {
     const auto mine = [&](const Piece& p) { return p.effect == hypothesis[i].effect; };
     if (fit.count[i] == 0 || std::ranges::none_of(contender.pieces, mine)) continue;
@@ -198,7 +248,9 @@ bool Search::believable(const Contender& contender) {
         hypothesis[i].effect->feigned(model_, bench_.experiment().loadcell_width_s);
     if (feigned > 0) {
       const double beyond = (amplitude.norm() - feigned) / amplitude.norm();
-      if (beyond <= 0 || contender.gain * beyond * beyond < criteria_.least_gain) return false;
+      const double least = 0.05 * double(bench_.experiment().loadcell_rows());
+      if (beyond <= 0 || contender.gain * beyond * beyond < std::max(criteria_.least_gain, least))
+        return false;
     }
   }
   return true;
@@ -210,9 +262,9 @@ bool Search::passes(const Contender& c, const Scored& from) {
   if (strength(bench_, from, c.scored) < (atom ? criteria_.least_unnamed_rho : criteria_.least_rho))
     return false;
   const auto blocks = bench_.blocks();
-  const double with = heldout_sse(bench_.fit(c.scored.hypothesis).columns, bench_.right(), blocks);
-  const double without = heldout_sse(bench_.fit(from.hypothesis).columns, bench_.right(), blocks);
-  return without - with > 0.0;
+  const Fit with = bench_.fit(c.scored.hypothesis), without = bench_.fit(from.hypothesis);
+  return heldout_sse(with.free_columns, with.free_right, blocks) <
+         heldout_sse(without.free_columns, without.free_right, blocks);
 }
 
 bool Search::stands_out(const Contender& c, const Scored& from) {

@@ -1,6 +1,8 @@
-// Which terms are missing: forward selection with re-polishing, named effects against unnamed rivals.
+// Which terms are missing: forward selection with re-polishing, named effects against unnamed
+// rivals.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "estimator/diagnosis/bench.h"
@@ -85,18 +87,22 @@ class Search {
   };
   std::vector<Ranked> screen(const Hypothesis& from, const Projection& projection);
   std::vector<std::vector<Piece>> shortlist_named(const Hypothesis& from);
+  std::vector<std::vector<Piece>> with_late_loadcell(const Hypothesis& from,
+                                                     const std::vector<Piece>& pieces);
   std::vector<Piece> best_pair(const Hypothesis& from, const Projection& projection,
                                const std::vector<Ranked>& ranked);
   std::vector<std::vector<Piece>> shortlist_unnamed(const Hypothesis& from, std::size_t most);
   Hypothesis with(Hypothesis from, const std::vector<Piece>& pieces) const;
   bool believable(const Contender& contender);
+  bool at_its_bound(const Piece& piece) const;
 
   Bench& bench_;
   const std::vector<Atom>& atoms_;
   std::vector<Piece> cleaners_;
   const Model& model_;
   Criteria criteria_;
-  double largest_ = 0.0;  // strength of the strongest term accepted so far
+  std::set<const Effect*> given_;  // terms of the model: taken as they are
+  double largest_ = 0.0;           // strength of the strongest term accepted so far
 };
 
 /// rms over a block of what the fit takes out between two hypotheses, over the rms that remains;

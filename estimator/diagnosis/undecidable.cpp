@@ -10,14 +10,15 @@
 namespace searig::estimator {
 namespace {
 
-constexpr double seen_gain = 30.0;     // what a term must bring to be asserted
-constexpr double visible_share = 0.04; // of the torque's rms: an effect this large should be seen
-constexpr double alike = 0.98;         // squared correlation beyond which two effects are one
+constexpr double seen_gain = 30.0;   // what a term must bring to be asserted
+constexpr double visible_rho = 0.6;  // effects this large, over the noise, should be seen
+constexpr double alike = 0.98;       // squared correlation beyond which two effects are one
 
 struct Visible {
   const Effect* effect;
   Eigen::MatrixXd columns;  // whitened
-  double least_share;       // of the torque's rms, to be asserted
+  double least_rho;         // over the noise, to be asserted
+  double least_share;       // the same over the torque's rms
 };
 
 /// The shape in the middle of the grid stands for the effect.
@@ -34,21 +35,19 @@ std::vector<Visible> candidates(const Bench& bench, const Hypothesis& hypothesis
     const Piece piece{effect, grid[grid.size() / 2], nullptr};
     const Eigen::MatrixXd columns = bench.screening_columns(piece);
     if (!(columns.norm() > 0)) continue;
-    const double free = projection.gain(columns).independence * columns.col(0).norm();
-    // Amplitude that just passes, as torque: whitened columns count in noise sd's.
-    const double amplitude = std::sqrt(seen_gain) / std::max(free, 1e-12);
+    const double free = projection.gain(columns).independence;
+    const double used = double(std::max<Eigen::Index>(1, bench.whitening().used_rows()));
+    const double rho = std::sqrt(seen_gain / used) / std::max(free, 1e-9);
     const double sd = effect->path() == Path::drive ? bench.whitening().drive().sd
                                                     : bench.whitening().loadcell().sd;
-    const double rms = sd * columns.col(0).norm() /
-                       std::sqrt(double(std::max<Eigen::Index>(1, bench.whitening().used_rows())));
-    out.push_back({effect, columns, amplitude * rms / e.torque_rms});
+    out.push_back({effect, columns, rho, rho * sd / e.torque_rms});
   }
   return out;
 }
 
 std::string percent(double share) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.0f %%", 100.0 * share);
+  std::snprintf(text, sizeof text, "%.2g %%", 100.0 * share);
   return text;
 }
 
@@ -73,7 +72,7 @@ std::vector<Undecidable> undecidable(const Bench& bench, const Hypothesis& hypot
   std::vector<Undecidable> out;
   std::vector<const Visible*> visible;
   for (const auto& c : all) {
-    if (c.least_share <= visible_share) {
+    if (c.least_rho <= visible_rho) {
       visible.push_back(&c);
       continue;
     }

@@ -14,10 +14,17 @@ class Collector {
  public:
   Collector(const Motion& motion, std::vector<Atom>& out) : m_(motion), out_(out) {}
 
+  using Make = std::function<Eigen::VectorXd(double from, double to)>;
+
   void add(std::string what, Path path, std::string channel, double from, double to,
-           const Array& feature) {
+           const Array& feature, Make at = {}) {
     if (feature.size() == 0 || !feature.allFinite() || feature.abs().maxCoeff() <= 0) return;
-    out_.push_back({std::move(what), path, std::move(channel), from, to, feature.matrix()});
+    out_.push_back({std::move(what), path, std::move(channel), from, to, feature.matrix(), at});
+  }
+
+  void add(std::string what, Path path, std::string channel, double from, double to,
+           const Make& at) {
+    add(std::move(what), path, std::move(channel), from, to, at(from, to).array(), at);
   }
 
   /// Something that happens only near one value of x: a notch, a snag, a missing code.
@@ -27,23 +34,30 @@ class Collector {
     const auto [low, high] = range(x);
     if (!(high > low)) return;
     for (const double width : {(high - low) / count, 0.35 * (high - low) / count})
-      for (double c = low; c <= high; c += width) {
-        Array bump = (-0.5 * ((as_array(x) - c) / (0.5 * width)).square()).exp();
-        if (carrier.size() > 0) bump *= carrier;
-        add("something that happens only near one value", path, channel, c - width, c + width, bump);
-      }
+      for (double c = low; c <= high; c += width)
+        add("something that happens only near one value", path, channel, c - width, c + width,
+            [&x, carrier](double from, double to) -> Eigen::VectorXd {
+              const double centre = 0.5 * (from + to), sd = 0.25 * (to - from);
+              Array bump = (-0.5 * ((as_array(x) - centre) / sd).square()).exp();
+              if (carrier.size() > 0) bump *= carrier;
+              return bump.matrix();
+            });
   }
 
   /// Something that begins beyond a value of x: a stop, a snag to one side, saturation.
   void hinges(const std::vector<double>& x, const std::string& channel, Path path) {
     if (x.empty()) return;
     const auto [low, high] = range(x);
-    for (const double share : {0.2, 0.4, 0.6, 0.75, 0.88}) {
+    for (const double share : {0.2, 0.4, 0.6, 0.75, 0.88, 0.94}) {
       const double up = high * share, down = low * share;
       add("something that begins beyond a value", path, channel, up, high,
-          (as_array(x) - up).max(0.0));
+          [&x](double from, double) -> Eigen::VectorXd {
+            return (as_array(x) - from).max(0.0).matrix();
+          });
       add("something that begins beyond a value", path, channel, low, down,
-          (as_array(x) - down).min(0.0));
+          [&x](double, double to) -> Eigen::VectorXd {
+            return (as_array(x) - to).min(0.0).matrix();
+          });
     }
   }
 
@@ -70,18 +84,22 @@ class Collector {
     const double end = m_.t.back();
     for (int i = 1; i < count; ++i) {
       const double at = end * (0.08 + 0.84 * i / count);
-      add(what, path, "time_s", at, end, (as_array(m_.t) > at).select(carrier, 0.0));
+      add(what, path, "time_s", at, end,
+          [&m = m_, carrier](double from, double) -> Eigen::VectorXd {
+            return (as_array(m.t) > from).select(carrier, 0.0).matrix();
+          });
     }
   }
 
   /// Something that lasts for a while only.
   void episodes(Path path, int count, const Array& carrier) {
     const double width = m_.t.back() / count;
-    for (int i = 0; i < count; ++i) {
-      const Array t = as_array(m_.t);
+    for (int i = 0; i < count; ++i)
       add("something that happens only for a while", path, "time_s", i * width, (i + 1) * width,
-          (t >= i * width && t < (i + 1) * width).select(carrier, 0.0));
-    }
+          [&m = m_, carrier](double from, double to) -> Eigen::VectorXd {
+            const auto t = as_array(m.t);
+            return (t >= from && t < to).select(carrier, 0.0).matrix();
+          });
   }
 
   void shaped(std::string what, Path path, std::string channel, const std::vector<double>& x,
@@ -113,8 +131,8 @@ void in_the_spring(const Motion& m, Collector& c) {
            m.theta_rate, rate * rate.abs());
   c.shaped("an even part that grows with the square of the deflection", Path::spring,
            "deflection_rad", m.theta, theta.square());
-  c.shaped("a stiffness that depends on speed", Path::spring, "deflection_rate_rad_s",
-           m.theta_rate, theta * rate.abs());
+  c.shaped("a stiffness that depends on speed", Path::spring, "deflection_rate_rad_s", m.theta_rate,
+           theta * rate.abs());
   c.events("the zero of the deflection jumps", Path::spring, Array::Ones(theta.size()), 24);
   c.events("the stiffness jumps", Path::spring, theta, 24);
   c.episodes(Path::spring, 18, theta);
@@ -184,6 +202,35 @@ std::vector<Atom> unnamed_atoms(const Motion& motion) {
   if (motion.has_spring()) at_the_loadcell(motion, collector);
   if (motion.has_drive()) in_the_drive(motion, collector);
   return out;
+}
+
+Atom refined(const Bench& bench, const Hypothesis& rest, const Atom& atom) {
+  if (!atom.at) return atom;
+  const Fit fit = bench.fit(rest);
+  const Projection projection(fit.free_columns, fit.free_right);
+  const auto gain = [&](const Atom& a) {
+    return projection.gain(bench.whitening()(bench.stack(a.path, a.feature, 0.0, 0.0))).sse;
+  };
+  Atom best = atom;
+  double most = gain(best);
+  double step = 0.5 * (atom.to - atom.from);
+  if (atom.channel == "time_s") step = std::min(step, 2.0);
+  for (int round = 0; round < 6; ++round, step *= 0.6)
+    for (const auto& [from, to] : {std::pair{-step, 0.0},
+                                   {step, 0.0},
+                                   {0.0, -step},
+                                   {0.0, step},
+                                   {step, step},
+                                   {-step, -step},
+                                   {step, -step},
+                                   {-step, step}}) {
+      Atom moved = best;
+      moved.from += from, moved.to += to;
+      if (!(moved.to > moved.from)) continue;
+      moved.feature = atom.at(moved.from, moved.to);
+      if (const double g = gain(moved); g > most) most = g, best = moved;
+    }
+  return best;
 }
 
 }  // namespace searig::estimator

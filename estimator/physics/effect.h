@@ -42,7 +42,7 @@ struct Description {
   std::string looks_like;
   std::string confused_with;
   std::string separated_by;  ///< the experiment that tells it from those
-  std::string channel;  ///< over which it is local, named as in the diagnosis
+  std::string channel;       ///< over which it is local, named as in the diagnosis
   std::string source;
 };
 
@@ -85,7 +85,10 @@ class Effect {
   struct Range {
     double lower, upper;
   };
-  virtual Range shape_range(const Motion&, std::size_t) const { return {1e-9, 1e9}; }
+  virtual Range shape_range(const Motion&, std::span<const double> /*shape*/,
+                            std::size_t /*value*/) const {
+    return {1e-9, 1e9};
+  }
 
   /// The amplitude that a small mismatch of the channels' filters can feign: an averaging window
   /// of width_s more on one channel than on another. Smaller amplitudes are not asserted.

@@ -37,7 +37,9 @@ class DriveRipple final : public Sine {
     return out;
   }
 
-  Range shape_range(const Motion&, std::size_t) const override { return {1e-2, 1e5}; }
+  Range shape_range(const Motion&, std::span<const double>, std::size_t) const override {
+    return {1e-2, 1e5};
+  }
 
   Eigen::MatrixXd features(const Motion& m, std::span<const double> shape) const override {
     return columns(m.q_i, shape[0]);

@@ -29,7 +29,7 @@ class DriveStribeck final : public SingleAmplitude {
 
   bool physical(const Eigen::VectorXd& amplitude) const override { return amplitude[0] > 0; }
 
-  Range shape_range(const Motion& m, std::size_t) const override {
+  Range shape_range(const Motion& m, std::span<const double>, std::size_t) const override {
     return {0.02 * reach(m.w), 0.5 * reach(m.w)};
   }
 

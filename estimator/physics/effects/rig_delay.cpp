@@ -21,10 +21,12 @@ class RigDelay final : public Observation {
             {{"delay_s", -10, 10, "beyond what the clock map leaves open"}}) {}
 
   std::vector<std::vector<double>> shape_grid(const Motion&) const override {
-    return {{-0.02}, {-0.01}, {-0.005}, {0.005}, {0.01}, {0.02}, {0.04}, {0.08}, {0.15}};
+    return {{0.005}, {0.01}, {0.02}, {0.04}, {0.08}, {0.15}};
   }
 
-  Range shape_range(const Motion&, std::size_t) const override { return {-0.3, 0.3}; }
+  Range shape_range(const Motion&, std::span<const double>, std::size_t) const override {
+    return {0.0005, 0.3};
+  }
 
   Eigen::VectorXd seen(const std::vector<double>& t, const Eigen::VectorXd& x,
                        double seconds) const override {

@@ -23,8 +23,9 @@ class RigInertia final : public SingleAmplitude {
 
   bool physical(const Eigen::VectorXd& amplitude) const override { return amplitude[0] > 0; }
 
-  /// A lever whose resonance on the spring lies beyond what the averaging resolves, j < k*width^2/20,
-  /// cannot be told from one channel being averaged over a little more than the other.
+  /// A lever whose resonance on the spring lies beyond what the averaging resolves, j <
+  /// k*width^2/20, cannot be told from one channel being averaged over a little more than the
+  /// other.
   double feigned(const Model& model, double width_s) const override {
     return scale_of(RelativeTo::stiffness, model) * width_s * width_s / 20.0;
   }

@@ -24,7 +24,9 @@ class RigLag final : public Observation {
     return {{0.003}, {0.006}, {0.012}, {0.025}, {0.05}, {0.1}, {0.2}};
   }
 
-  Range shape_range(const Motion&, std::size_t) const override { return {0.001, 1.0}; }
+  Range shape_range(const Motion&, std::span<const double>, std::size_t) const override {
+    return {0.001, 1.0};
+  }
 
   Eigen::VectorXd seen(const std::vector<double>& t, const Eigen::VectorXd& x,
                        double seconds) const override {

@@ -42,7 +42,7 @@ class SpringDeadzone final : public SingleAmplitude {
 
   std::string_view tied_to() const override { return "spring.linear"; }
 
-  Range shape_range(const Motion& m, std::size_t) const override {
+  Range shape_range(const Motion& m, std::span<const double>, std::size_t) const override {
     return {0.002 * reach(m.theta), 0.7 * reach(m.theta)};
   }
 

@@ -29,7 +29,7 @@ class SpringHysteresis final : public Branches {
     return logarithmic_grid(0.01 * reach(m.theta), 0.7 * reach(m.theta), 10);
   }
 
-  Range shape_range(const Motion& m, std::size_t) const override {
+  Range shape_range(const Motion& m, std::span<const double>, std::size_t) const override {
     return {0.008 * reach(m.theta), 0.8 * reach(m.theta)};
   }
 

@@ -44,7 +44,11 @@ class SpringMullins final : public SingleAmplitude {
 
   bool physical(const Eigen::VectorXd& amplitude) const override { return amplitude[0] > 0; }
 
-  Range shape_range(const Motion&, std::size_t) const override { return {1e-6, 1e9}; }
+  /// A scale beyond the whole history would be a straight line of any slope.
+  Range shape_range(const Motion& m, std::span<const double> shape, std::size_t) const override {
+    const double total = history(m, shape[1] < 0.5 ? work_done : largest_deflection).tail(1)[0];
+    return {0.005 * total, 2.0 * total};
+  }
 
  protected:
   Eigen::VectorXd column(const Motion& m, std::span<const double> shape) const override {

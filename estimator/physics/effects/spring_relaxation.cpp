@@ -29,7 +29,7 @@ class SpringRelaxation final : public Branches {
     return logarithmic_grid(0.08, 0.5 * m.t.back(), 12);
   }
 
-  Range shape_range(const Motion& m, std::size_t) const override {
+  Range shape_range(const Motion& m, std::span<const double>, std::size_t) const override {
     return {0.06, 0.6 * m.t.back()};
   }
 
