@@ -14,6 +14,9 @@ CsvFile::CsvFile(std::filesystem::path path, bool has_header)
   if (std::string_view(text_).substr(0, 3) == "\xEF\xBB\xBF") body_ = 3;  // byte order mark
   if (text_.find_first_not_of(" \t\r\n", body_) == std::string::npos)
     throw InputError(path_.string() + ", line 1, column 1: the file is empty.");
+  if (std::string_view(text_).substr(0, 1000).find('\0') != std::string_view::npos)
+    throw InputError(path_.string() +
+                     ", line 1, column 1: this is not text in UTF-8, but binary or UTF-16.");
   if (!has_header) {
     std::size_t next = 0;
     separator_ = separator_of(line_at(text_, body_, next));

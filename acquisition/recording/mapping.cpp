@@ -1,6 +1,7 @@
 #include "acquisition/recording/mapping.h"
 
 #include <toml++/toml.h>
+#include <algorithm>
 #include <cmath>
 
 #include "acquisition/error.h"
@@ -42,6 +43,12 @@ class Section {
     return value;
   }
 
+  std::optional<double> nonzero(std::string_view of) const {
+    const auto value = number(of);
+    if (value && *value == 0.0) refuse(table_.get(of), key(of) + " must not be zero");
+    return value;
+  }
+
   std::optional<std::string> text(std::string_view of) const {
     const toml::node* node = table_.get(of);
     if (!node) return std::nullopt;
@@ -53,7 +60,8 @@ class Section {
   Section section(std::string_view of) const {
     const toml::node* node = table_.get(of);
     const std::string path = name_.empty() ? std::string(of) : key(of);
-    if (!node || !node->is_table()) refuse(node, "the section [" + path + "] is missing");
+    if (!node) refuse(node, "the section [" + path + "] is missing");
+    if (!node->is_table()) refuse(node, path + " must be a table, not a value");
     return {file_, path, *node->as_table()};
   }
 
@@ -64,6 +72,8 @@ class Section {
 };
 
 ColumnMapping column_mapping(const Section& columns, std::string_view channel) {
+  if (const toml::node* plain = columns.table().get(channel); !plain->is_table())
+    columns.refuse(plain, columns.key(channel) + " must be a table such as { column = \"name\" }");
   const Section entry = columns.section(channel);
   const auto si_unit = channel_unit(channel);
   if (!si_unit) entry.refuse(&entry.table(), entry.name() + ": there is no such channel");
@@ -79,7 +89,7 @@ ColumnMapping column_mapping(const Section& columns, std::string_view channel) {
   else
     entry.refuse(column, entry.name() + ".column must be a column's name, or its number from 0");
 
-  mapping.scale = entry.number("scale").value_or(1.0);
+  mapping.scale = entry.nonzero("scale").value_or(1.0);
   mapping.wraps_at = entry.positive("wraps_at");
   if (const auto name = entry.text("unit")) {
     const auto unit = find_unit(*name);
@@ -107,6 +117,8 @@ StreamMapping stream_mapping(const Section& section) {
     const Section columns = section.section("columns");
     for (const auto& [channel, entry] : columns.table())
       stream.columns.push_back(column_mapping(columns, channel.str()));
+    if (const std::string missing = missing_channel(stream, stream.columns); !missing.empty())
+      columns.refuse(&columns.table(), columns.name() + " lacks " + missing);
   }
   stream.faults = stream.native ? Faults::refuse : Faults::count;
   if (const auto faults = section.text("faults")) {
@@ -131,6 +143,24 @@ toml::table parse(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::string missing_channel(const StreamMapping& stream,
+                            const std::vector<ColumnMapping>& columns) {
+  const auto has = [&](std::string_view channel) {
+    return std::any_of(columns.begin(), columns.end(),
+                       [&](const ColumnMapping& c) { return c.channel == channel; });
+  };
+  if (!has("t_s")) return "t_s";
+  if (stream.name == "loadcell")
+    return has("force_n") || has("torque_nm") ? "" : "force_n (or torque_nm)";
+  const bool input = has("input_angle_rad"), output = has("output_angle_rad");
+  const bool deflection = has("deflection_rad");
+  if (stream.native && input != output && !deflection)
+    return input ? "output_angle_rad" : "input_angle_rad";
+  if (!deflection && !(input && output) && !has("current_a"))
+    return "deflection_rad (or input_angle_rad and output_angle_rad, or current_a)";
+  return "";
+}
+
 RecordingMapping read_mapping(const std::filesystem::path& toml_file) {
   const toml::table table = parse(toml_file);
   const Section root(toml_file, "", table);
@@ -144,7 +174,7 @@ RecordingMapping read_mapping(const std::filesystem::path& toml_file) {
   mapping.module = stream_mapping(module);
   mapping.loadcell = stream_mapping(loadcell);
   mapping.gear_ratio = module.positive("gear_ratio").value_or(1.0);
-  mapping.lever_arm_m = loadcell.number("lever_arm_m");
+  mapping.lever_arm_m = loadcell.nonzero("lever_arm_m");
   return mapping;
 }
 

@@ -38,11 +38,16 @@ struct RecordingMapping {
   std::optional<double> lever_arm_m;
 };
 
+/// The channel without which the stream is of no use, in words; empty where it has all it needs. A
+/// stream without a clock is no stream; half a pair of angles is a mistake; a load cell without a
+/// reading says nothing. All else may be missing and switches off what needs it.
+std::string missing_channel(const StreamMapping& stream, const std::vector<ColumnMapping>& columns);
+
 /// Reads recording.toml. Each of [module] and [loadcell] has `file`; beside the contract's keys:
 ///
 ///     [loadcell]
-///     faults = "count"            # or "refuse": see Faults; default: native refuses, mapped
-///     counts host_latency_s = 0.0021     # fixed part of the one-way latency, where it is known,
+///     faults = "count"            # or "refuse", see Faults (native refuses, mapped counts)
+///     host_latency_s = 0.0021     # fixed part of the one-way latency, where it is known,
 ///     host_latency_ci95_s = 3e-4  # and how well
 ///     [loadcell.columns]
 ///     t_s = { column = 0, unit = "ms" }                   # a number: the file has no header

@@ -31,29 +31,6 @@ std::vector<ColumnMapping> native_columns(const CsvFile& file, const std::string
   return columns;
 }
 
-bool has(const std::vector<ColumnMapping>& columns, std::string_view channel) {
-  return std::any_of(columns.begin(), columns.end(),
-                     [&](const ColumnMapping& c) { return c.channel == channel; });
-}
-
-/// A stream without a clock is no stream; half a pair of angles is a mistake; a load cell without a
-/// reading says nothing. All else may be missing and switches off what needs it.
-void refuse_missing_channels(const CsvFile& file, const StreamMapping& mapping,
-                             const std::vector<ColumnMapping>& columns) {
-  if (!has(columns, "t_s")) file.refuse_missing("t_s");
-  if (mapping.name == "loadcell") {
-    if (!has(columns, "force_n") && !has(columns, "torque_nm"))
-      file.refuse_missing("force_n (or torque_nm)");
-    return;
-  }
-  const bool input = has(columns, "input_angle_rad"), output = has(columns, "output_angle_rad");
-  const bool deflection = has(columns, "deflection_rad");
-  if (mapping.native && input != output && !deflection)
-    file.refuse_missing(input ? "output_angle_rad" : "input_angle_rad");
-  if (!deflection && !(input && output) && !has(columns, "current_a"))
-    file.refuse_missing("deflection_rad (or input_angle_rad and output_angle_rad, or current_a)");
-}
-
 std::vector<std::size_t> column_numbers(const CsvFile& file,
                                         const std::vector<ColumnMapping>& columns) {
   std::vector<std::size_t> numbers;
@@ -103,7 +80,8 @@ Stream read_stream(const StreamMapping& mapping) {
   const CsvFile file(mapping.file, !by_number);
   std::vector<ColumnMapping> columns =
       mapping.native ? native_columns(file, mapping.name) : mapping.columns;
-  refuse_missing_channels(file, mapping, columns);
+  if (const std::string missing = missing_channel(mapping, columns); !missing.empty())
+    file.refuse_missing(missing);
   std::partition(columns.begin(), columns.end(), [](auto& c) { return c.channel == "t_s"; });
 
   const std::vector<std::size_t> numbers = column_numbers(file, columns);

@@ -98,6 +98,12 @@ TEST(Csv, RefusesFilesWithNothingToRead) {
   EXPECT_TRUE(says(refusal([&] { CsvFile(folder.write("a.csv", " \n\n"), true); }), "empty"));
   EXPECT_TRUE(says(refusal([&] { CsvFile(folder.path() / "none.csv", true); }), "none.csv"));
   EXPECT_TRUE(says(refusal([&] { CsvFile(folder.path(), true); }), "directory"));
+  const std::string utf16(
+      "t\0_\0s\0\n\0"
+      "1\0\n\0",
+      12);
+  EXPECT_TRUE(says(refusal([&] { CsvFile(folder.write("u.csv", utf16), true); }),
+                   "u.csv, line 1, column 1: this is not text"));
   const auto header = folder.write("h.csv", "t_s,force_n\n");
   EXPECT_TRUE(says(refusal([&] { CsvFile(header, true).read(kBoth, Faults::refuse); }),
                    "h.csv, line 2, column t_s: no row follows the header."));

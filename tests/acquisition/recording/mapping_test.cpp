@@ -20,7 +20,9 @@ TEST(Mapping, TakesNativeStreamsStrictlyAndMappedOnesAsLogs) {
   const RecordingMapping native = read(kModule + kLoadcell);
   EXPECT_TRUE(native.module.native);
   EXPECT_EQ(native.module.faults, Faults::refuse);
-  const std::string columns = "[loadcell.columns]\nt_s = { column = \"time\" }\n";
+  const std::string columns =
+      "[loadcell.columns]\nt_s = { column = \"time\" }\n"
+      "torque_nm = { column = \"T\" }\n";
   EXPECT_EQ(read(kModule + kLoadcell + columns).loadcell.faults, Faults::count);
   EXPECT_EQ(read(kModule + kLoadcell + "faults = \"refuse\"\n" + columns).loadcell.faults,
             Faults::refuse);
@@ -58,6 +60,25 @@ TEST(Mapping, SaysWhatIsWrongAndOnWhichLine) {
                    "line 7: loadcell.columns.t_s.unit 'deg' is none of s, ms, us"));
   EXPECT_TRUE(says(why(columns + "torque = { column = \"t\" }\n"), "there is no such channel"));
   EXPECT_TRUE(says(why(columns + "t_s = { unit = \"ms\" }\n"), "t_s.column is missing"));
+}
+
+TEST(Mapping, SaysWhichMappedColumnIsOfNoUse) {
+  const auto why = [](const std::string& toml) { return refusal([&] { read(toml); }); };
+  const std::string columns = kModule + kLoadcell + "[loadcell.columns]\n";
+  const std::string clock = "t_s = { column = \"t\" }\n";
+  EXPECT_TRUE(says(why(columns + "t_s = \"time\"\n"),
+                   "line 7: loadcell.columns.t_s must be a table such as { column = "));
+  EXPECT_TRUE(says(why(columns + "t_s = { column = \"t\", scale = 0 }\n"),
+                   "line 7: loadcell.columns.t_s.scale must not be zero"));
+  EXPECT_TRUE(
+      says(why(columns + "force_n = { column = \"F\" }\n"), "line 6: loadcell.columns lacks t_s"));
+  EXPECT_TRUE(says(why(columns + clock), "loadcell.columns lacks force_n (or torque_nm)"));
+  EXPECT_TRUE(says(why(kModule + "[module.columns]\n" + clock + kLoadcell),
+                   "line 4: module.columns lacks deflection_rad"));
+  EXPECT_TRUE(says(why(kModule + kLoadcell + "lever_arm_m = 0\n"),
+                   "line 6: loadcell.lever_arm_m must not be zero"));
+  EXPECT_TRUE(says(why("format = \"searig-recording/1\"\nmodule = 3\n" + kLoadcell),
+                   "line 2: module must be a table"));
 }
 
 TEST(Units, BringEachToItsSiUnit) {

@@ -113,6 +113,14 @@ TEST(Recording, TellsAMissingColumn) {
   EXPECT_TRUE(says(angle.refused(), "module.csv, line 1: column output_angle_rad is missing"));
 }
 
+TEST(Recording, TellsAMappedColumnThatTheFileLacks) {
+  NativeRecording native;
+  native.toml = std::string(kToml) +
+                "[loadcell.columns]\nt_s = { column = \"t_s\" }\n"
+                "force_n = { column = \"weight\" }\n";
+  EXPECT_TRUE(says(native.refused(), "loadcell.csv, line 1: column weight is missing"));
+}
+
 TEST(Recording, MissingCurrentOnlySwitchesOffWhatNeedsIt) {
   NativeRecording native;
   native.module[0] = "t_s,host_s,input_angle_rad,output_angle_rad,x";
