@@ -39,6 +39,12 @@ std::string doubt(const Stream& stream, const HostLine& line) {
     return "a few rows of the " + stream.name +
            printed(" stream arrived %.1f ms before all others can, so the host's clock was set",
                    1e3 * line.lowest_percent_s);
+  if (line.timer == Timer::locked && line.unseen_wait_s > kTrustedInterval)
+    return "the " + stream.name +
+           printed(
+               " stream's own step is a whole multiple of the %.0f ms of a USB timer, so a wait of "
+               "up to %.0f ms would not show",
+               1e3 * kUsbTimer, 1e3 * line.unseen_wait_s);
   if (line.ci95_s() > kTrustedInterval)
     return "the halves of the " + stream.name +
            printed(" stream disagree by %.1f ms", 1e3 * line.halves_apart_s);

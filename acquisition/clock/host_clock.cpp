@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "acquisition/clock/host_timer.h"
-
 namespace searig::acquisition {
 namespace {
 
@@ -35,8 +33,9 @@ HostLine judged(Line line, std::span<const double> t_s, std::span<const double> 
   fit.median_s = quantile(above, 0.5);
   fit.lowest_percent_s = quantile(above, 0.01);
   fit.floor_s = quantile(above, std::min(1.0, kNextToFloor / static_cast<double>(above.size())));
-  if (heard_at_ticks(t_s, host_s)) fit.unseen_wait_s = unseen_wait(above, kUsbTimer);
-  line.value -= 0.5 * fit.unseen_wait_s;
+  fit.timer = timer_in(t_s, host_s);
+  if (fit.timer != Timer::absent) fit.unseen_wait_s = unseen_wait(above, kUsbTimer);
+  if (fit.timer == Timer::heard) line.value -= 0.5 * fit.unseen_wait_s;
   fit.delay = line;
   return fit;
 }
@@ -66,7 +65,8 @@ std::size_t longest_run(const Stream& stream) {
 }
 
 double HostLine::ci95_s() const {
-  return halves_apart_s + floor_s + 0.5 * unseen_wait_s;
+  const double wait = timer == Timer::locked ? unseen_wait_s : 0.5 * unseen_wait_s;
+  return halves_apart_s + floor_s + wait;
 }
 
 HostLine fit_host_line(std::span<const double> t_s, std::span<const double> host_s) {

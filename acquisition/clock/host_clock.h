@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "acquisition/clock/host_timer.h"
 #include "acquisition/clock/hull.h"
 #include "acquisition/recording/recording.h"
 
@@ -37,7 +38,8 @@ struct HostLine {
   double floor_s = 0.0;           ///< how far above the line the arrivals next to it lie
   double lowest_percent_s = 0.0;  ///< and one arrival in a hundred
   double median_s = 0.0;          ///< and the middle one
-  double unseen_wait_s = 0.0;     ///< see host_timer.h; half of it is taken off the line
+  Timer timer = Timer::absent;    ///< the host's, see host_timer.h
+  double unseen_wait_s = 0.0;     ///< of it; half is taken off the line where the timer is heard
 
   double host(double t_s) const { return t_s + delay(t_s); }
   double rate() const { return 1.0 + delay.slope; }

@@ -7,7 +7,7 @@
 
 namespace searig::acquisition {
 
-bool heard_at_ticks(std::span<const double> t_s, std::span<const double> host_s) {
+Timer timer_in(std::span<const double> t_s, std::span<const double> host_s) {
   constexpr double kSlack = kUsbTimer / 16.0;  // a tick is stamped within a millisecond
   std::size_t steps = 0, at_ticks = 0, like_the_device = 0;
   for (std::size_t i = 1; i < host_s.size(); ++i) {
@@ -17,7 +17,8 @@ bool heard_at_ticks(std::span<const double> t_s, std::span<const double> host_s)
     at_ticks += std::abs(step - kUsbTimer * std::round(step / kUsbTimer)) < kSlack;
     like_the_device += std::abs(step - (t_s[i] - t_s[i - 1])) < kSlack;
   }
-  return steps > 20 && 5 * at_ticks > 4 * steps && 2 * like_the_device < steps;
+  if (steps <= 20 || 5 * at_ticks <= 4 * steps) return Timer::absent;
+  return 2 * like_the_device < steps ? Timer::heard : Timer::locked;
 }
 
 double unseen_wait(std::span<const double> above_s, double timer_s) {

@@ -80,8 +80,14 @@ ClockMap on_one_clock(const Recording& recording) {
         "; it began anew (%.0f times) without host stamps, so only the longest run of "
         "%.0f rows can be used",
         double(std::max(module.size(), loadcell.size()) - 1), double(module[of_module].size()));
-  map.why += ".";
   map.trusted = module.size() == loadcell.size();
+  const auto& m = recording.module.t_s;
+  const auto& l = recording.loadcell.t_s;
+  if (map.trusted && module.size() == 1 && (l.front() > m.back() || m.front() > l.back())) {
+    map.trusted = false;  // two clocks that somebody forgot to stamp look like this
+    map.why += ", on which they never ran at the same time: not to be trusted";
+  }
+  map.why += ".";
   return map;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "acquisition/clock/doubt.h"
 #include "acquisition/clock/host_timer.h"
 #include "tests/acquisition/clock/simulated_device.h"
 
@@ -39,9 +40,20 @@ TEST(HostTimer, IsHeardInArrivalsOnlyAtItsTicks) {
   const Stream quiet = SimulatedDevice{}.run(random, "loadcell");
   const Stream ticks = SimulatedDevice{.ppm = 800.0, .timer_s = kUsbTimer}.run(random, "loadcell");
   const Stream fast = SimulatedDevice{.hz = 250.0}.run(random, "module");
-  EXPECT_FALSE(heard_at_ticks(quiet.t_s, quiet.host_s));
-  EXPECT_TRUE(heard_at_ticks(ticks.t_s, ticks.host_s));
-  EXPECT_FALSE(heard_at_ticks(fast.t_s, fast.host_s));
+  EXPECT_EQ(timer_in(quiet.t_s, quiet.host_s), Timer::absent);
+  EXPECT_EQ(timer_in(ticks.t_s, ticks.host_s), Timer::heard);
+  EXPECT_EQ(timer_in(fast.t_s, fast.host_s), Timer::absent);
+}
+
+TEST(HostTimer, CannotBeToldFromADeviceThatKeepsItsBeat) {
+  std::mt19937_64 random(6);
+  const SimulatedDevice beat{.hz = 62.5, .ppm = 3.0, .mean_latency_s = 1e-4, .timer_s = kUsbTimer};
+  const Stream locked = beat.run(random, "loadcell");
+  const HostLine line = fit_host_line(locked.t_s, locked.host_s);
+  EXPECT_EQ(line.timer, Timer::locked);
+  EXPECT_GT(line.ci95_s(), 0.010);
+  EXPECT_TRUE(doubt(locked, line).find("whole multiple of the 16 ms") != std::string::npos)
+      << doubt(locked, line);
 }
 
 TEST(HostTimer, LeavesAsMuchUnseenAsTheWidestGapBetweenWaits) {

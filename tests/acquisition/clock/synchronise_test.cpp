@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "acquisition/clock/host_timer.h"
 #include "tests/acquisition/clock/simulated_device.h"
 
 namespace searig::acquisition {
@@ -131,6 +132,38 @@ TEST(Synchronise, StreamsWithoutHostStampsInBothAreOneClock) {
   EXPECT_EQ(map.offset_s, 0.0);
   EXPECT_EQ(map.ci95_s, 0.0);
   EXPECT_TRUE(map.trusted);
+}
+
+TEST(Synchronise, DoesNotTrustADeviceWhoseBeatHidesTheHostsTimer) {
+  for (const double hz : {62.5, 31.25}) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      std::mt19937_64 random(seed);
+      SimulatedPair pair;
+      pair.loadcell = {.hz = hz, .ppm = 2.0, .mean_latency_s = 2e-4, .timer_s = kUsbTimer};
+      const ClockMap map = synchronise(pair.record(random));
+      EXPECT_FALSE(map.trusted) << hz << " Hz, seed " << seed;
+      EXPECT_LE(std::abs(error_at(pair, map, 37.0)), map.ci95_s) << hz << " Hz, seed " << seed;
+    }
+  }
+}
+
+TEST(Synchronise, TrustsADeviceOfThatBeatWhoseWireShowsThatNoTimerIsThere) {
+  std::mt19937_64 random(14);
+  SimulatedPair pair;
+  pair.loadcell.hz = 62.5;
+  const ClockMap map = synchronise(pair.record(random));
+  EXPECT_TRUE(map.trusted) << map.why;
+  EXPECT_LT(map.ci95_s, 0.005);
+}
+
+TEST(Synchronise, DoesNotTrustOneClockOnWhichTheStreamsNeverMeet) {
+  std::mt19937_64 random(15);
+  Recording recording = SimulatedPair{}.record(random);
+  recording.module.host_s.clear();
+  for (double& t : recording.loadcell.t_s) t += 500.0;
+  const ClockMap map = synchronise(recording);
+  EXPECT_FALSE(map.trusted);
+  EXPECT_NE(map.why.find("never ran at the same time"), std::string::npos) << map.why;
 }
 
 TEST(Synchronise, DoesNotTrustWhatIsTooShortOrToldByTooFew) {
