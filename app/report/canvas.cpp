@@ -18,11 +18,11 @@ std::string px(double value) {
 }
 
 std::string attribute(std::string_view name, double value) {
-  return " " + std::string(name) + "=\"" + px(value) + "\"";
+  return ' ' + std::string(name) + "=\"" + px(value) + "\"";
 }
 
 std::string colour(std::string_view what, std::string_view paint) {
-  return " " + std::string(what) + "=\"var(--" + std::string(paint) + ")\"";
+  return ' ' + std::string(what) + "=\"var(--" + std::string(paint) + ")\"";
 }
 
 std::string join(const Points& points) {
@@ -99,7 +99,7 @@ void Canvas::polygon(const Points& points, std::string_view paint, double opacit
 void Canvas::dots(const Points& points, std::string_view paint) {
   if (points.empty()) return;
   out_ += "<path stroke-width=\"3\" stroke-linecap=\"round\"" + colour("stroke", paint) + " d=\"";
-  for (const auto& [x, y] : points) out_ += "M" + px(x) + " " + px(y) + "h0";
+  for (const auto& [x, y] : points) out_ += 'M' + px(x) + " " + px(y) + "h0";
   out_ += "\"/>\n";
 }
 
@@ -111,7 +111,7 @@ void Canvas::text(double x, double y, std::string_view words, Anchor anchor,
     out_ += std::string(" text-anchor=\"") + names[static_cast<int>(anchor)] + "\"";
   }
   if (!css_class.empty()) out_ += " class=\"" + std::string(css_class) + "\"";
-  out_ += ">" + escape(words) + "</text>\n";
+  out_ += '>' + escape(words) + "</text>\n";
 }
 
 void Canvas::text_upwards(double x, double y, std::string_view words) {
@@ -121,7 +121,7 @@ void Canvas::text_upwards(double x, double y, std::string_view words) {
 
 void Canvas::begin_clip(double x, double y, double width, double height) {
   // Ids are global in a page: one made of what it says never means two things.
-  const std::string id = "c" + px(x) + "_" + px(y) + "_" + px(width) + "_" + px(height);
+  const std::string id = 'c' + px(x) + "_" + px(y) + "_" + px(width) + "_" + px(height);
   out_ += "<clipPath id=\"" + id + "\"><rect" + attribute("x", x) + attribute("y", y) +
           attribute("width", width) + attribute("height", height) +
           "/></clipPath>\n<g clip-path=\"url(#" + id + ")\">\n";
