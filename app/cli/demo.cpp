@@ -96,7 +96,10 @@ void run(const Options& options) {
   const auto say = [talk](const std::string& words) {
     if (talk) std::cout << words << '\n';
   };
-  fs::create_directories(options.out);
+  std::error_code error;
+  fs::create_directories(options.out, error);
+  if (error)
+    throw std::runtime_error(options.out.string() + ": cannot be made: " + error.message() + ".");
   say("Simulated rig: module at 500 Hz, load cell at 50 Hz, each on a clock of its own.");
   LiveRig rig;
   DemoResult result;

@@ -45,13 +45,23 @@ std::string name_of(const std::string& recording) {
   return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
 }
 
+/// The estimator knows no file: what it refuses is said of this recording.
+estimator::Evaluation evaluate_signals(const std::string& recording, const Session& session,
+                                       const std::optional<estimator::Model>& model,
+                                       const Options& options) {
+  try {
+    return estimator::evaluate(session.signals, model ? &*model : nullptr, options.evaluation());
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(recording + ": " + error.what() + ".");
+  }
+}
+
 Outcome evaluate_one(const std::string& recording, const Options& options) {
   Outcome out{.name = name_of(recording), .evaluation = {}, .notes = {}, .failure = {}};
   try {
     const Session session = open_session(recording);
     const auto model = find_model(recording, options.model);
-    out.evaluation =
-        estimator::evaluate(session.signals, model ? &*model : nullptr, options.evaluation());
+    out.evaluation = evaluate_signals(recording, session, model, options);
     out.notes = out.evaluation.notes;
     if (!session.clock.trusted) {
       out.notes.push_back("the clocks are not to be trusted: " + session.clock.why);

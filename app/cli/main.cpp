@@ -18,9 +18,16 @@ int main(int argc, char** argv) {
   add_effects(app);
   add_export(app);
   add_desktop(app);
+  app.footer("Example:\n  searig demo --seconds 30 --out out\n\nsearig COMMAND --help says more.");
 
   try {
     app.parse(argc, argv);  // runs the chosen command's callback
+  } catch (const CLI::RequiredError& error) {
+    if (app.get_subcommands().empty() && argc > 1) {  // CLI11 would only miss a subcommand
+      std::cerr << "searig: there is no command " << argv[1] << "; searig --help lists them.\n";
+      return 2;
+    }
+    return app.exit(error), 2;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {

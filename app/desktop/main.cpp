@@ -35,9 +35,11 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--seconds", options.seconds,
                  "With --live and --screenshot: how much of the experiment has passed")
       ->check(CLI::Range(0.0, 3600.0));
-  app.add_flag("--offscreen", options.offscreen, "Draw without a display");
-  app.add_option("--screenshot", options.screenshot, "Write a picture of the window and leave");
-  app.add_option("--layout", options.layout, "With --screenshot: write where the plots are (JSON)");
+  auto* picture =
+      app.add_option("--screenshot", options.screenshot, "Write a picture of the window and leave");
+  app.add_flag("--offscreen", options.offscreen, "Draw without a display")->needs(picture);
+  app.add_option("--layout", options.layout, "With --screenshot: write where the plots are (JSON)")
+      ->needs(picture);
   app.add_option("--theme", options.theme, "light, dark or system")
       ->check(CLI::IsMember({"light", "dark", "system"}));
   app.add_option("--width", options.width, "Of the window, in pixels")

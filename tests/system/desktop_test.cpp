@@ -124,6 +124,8 @@ TEST(Desktop, WithoutADisplayItSaysWhatToDo) {
 TEST(Desktop, WrongUseExits2) {
   EXPECT_EQ(run_program("searig desktop --nonsense").exit_code, 2);
   EXPECT_EQ(run_program("searig desktop --theme pink").exit_code, 2);
+  // A window that nobody sees would stay open for ever.
+  EXPECT_EQ(run_program("searig desktop --live --offscreen").exit_code, 2);
 }
 
 }  // namespace

@@ -25,11 +25,12 @@ inline std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// `command` begins with the program's name in the build folder; no display, no terminal.
-inline Ran run_program(const std::string& command) {
+/// `command` begins with the program's name in the build folder; no display, no terminal. `through`
+/// is what starts it, as in "setpriv --reuid=65534 ".
+inline Ran run_program(const std::string& command, const std::string& through = "") {
   const acquisition::TemporaryFolder folder;
   const auto out = folder.path() / "out", err = folder.path() / "err";
-  const std::string line = "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM " +
+  const std::string line = through + "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM " +
                            std::string(SEARIG_BINARY_DIR) + "/" + command + " >" + out.string() +
                            " 2>" + err.string() + " </dev/null";
   const int status = std::system(line.c_str());
