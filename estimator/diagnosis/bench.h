@@ -21,6 +21,7 @@ struct Atom {
   Path path;            ///< spring, drive or rig
   std::string channel;  ///< over which it is local: "deflection_rad", "time_s", ...
   double from = 0.0, to = 0.0;
+  bool at_once = false;     ///< it is `from` that matters: something changes there, for good
   Eigen::VectorXd feature;  ///< on the motion's samples
   /// The feature for another place, where the place is a matter of degree; else empty.
   std::function<Eigen::VectorXd(double from, double to)> at = {};

@@ -54,7 +54,8 @@ void add_cells(const Axis& axis, double min_share, std::vector<Atom>& out) {
         if (inside && (!axis.sign || (*axis.sign)[k] * side > 0)) cell[i] = 1.0;
       }
       if (cell.sum() >= min_share * double(n))
-        out.push_back({"", axis.path, axis.channel, borders[c], borders[c + 1], std::move(cell)});
+        out.push_back(
+            {"", axis.path, axis.channel, borders[c], borders[c + 1], false, std::move(cell)});
     }
 }
 

@@ -236,6 +236,18 @@ class Diagnostician {
     return f;
   }
 
+  /// An atom that is local says itself where.
+  void place(const Atom& atom, Located& located) const {
+    const double start = bench_.experiment().start_s;
+    if (atom.at_once)
+      located.intervals_s = {{start + atom.from - 0.5, start + atom.from + 0.5}};
+    else if (atom.at && atom.channel == "time_s")
+      located.intervals_s = {{start + atom.from, start + atom.to}};
+    else if (atom.at)
+      located.regions = {{atom.channel, atom.from, atom.to}};
+    if (atom.channel == "time_s") located.regions.clear();
+  }
+
   /// Atoms in the final hypothesis are the mismatch that has no name.
   void unexplained() {
     Hypothesis without = final_.hypothesis;
@@ -249,6 +261,7 @@ class Diagnostician {
     u.located =
         locate(bench_, without, final_.hypothesis, atoms.front()->path, atoms.front()->channel);
     u.what = atoms.front()->what;
+    place(*atoms.front(), u.located);
     const bool drive = atoms.front()->path == Path::drive;
     const auto before = heldout_residuals(bench_, without);
     const auto after = heldout_residuals(bench_, final_.hypothesis);

@@ -9,7 +9,8 @@
 namespace searig::estimator {
 namespace {
 
-constexpr double region_share = 0.8;  // of the energy that a region holds
+constexpr double region_share = 0.8;    // of the energy that a region holds
+constexpr double interval_share = 0.9;  // and the seconds together
 
 /// Change of each usable row's prediction, squared, in units of the noise.
 Eigen::VectorXd energy(const Bench& bench, const Hypothesis& without, const Hypothesis& with) {
@@ -63,24 +64,33 @@ std::vector<Region> regions(const Experiment& e, const Eigen::VectorXd& energy,
   return out;
 }
 
-/// Seconds in which the energy stands out; neighbours merge.
+/// The seconds, few of them, that hold most of the energy; neighbours merge.
 std::vector<std::pair<double, double>> intervals(const Experiment& e,
                                                  const Eigen::VectorXd& energy) {
   const auto seconds = std::size_t(std::ceil(e.motion.t.back())) + 1;
   std::vector<double> sum(seconds, 0.0);
   for (Eigen::Index i = 0; i < e.rows(); ++i)
     sum[std::size_t(std::clamp(e.time(i), 0.0, double(seconds) - 1.0))] += energy[i];
-  const double limit = 0.25 * std::accumulate(sum.begin(), sum.end(), 0.0) / double(seconds);
+  std::vector<std::size_t> order(seconds);
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, std::greater{}, [&](std::size_t s) { return sum[s]; });
+  std::vector<bool> chosen(seconds, false);
+  double held = 0.0;
+  for (const std::size_t s : order) {
+    if (held >= interval_share * energy.sum()) break;
+    held += sum[s];
+    chosen[s] = true;
+  }
   std::vector<std::pair<double, double>> out;
   for (std::size_t s = 0; s < seconds; ++s) {
-    if (sum[s] <= limit) continue;
-    const double to = std::min(double(s + 1), e.motion.t.back());
-    if (!out.empty() && double(s) - out.back().second <= 1.0)
+    if (!chosen[s]) continue;
+    const double from = e.start_s + double(s);
+    const double to = e.start_s + std::min(double(s + 1), e.motion.t.back());
+    if (!out.empty() && from - out.back().second <= 1.5)
       out.back().second = to;
     else
-      out.emplace_back(double(s), to);
+      out.emplace_back(from, to);
   }
-  for (auto& [from, to] : out) from += e.start_s, to += e.start_s;
   return out;
 }
 

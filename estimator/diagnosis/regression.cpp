@@ -13,23 +13,30 @@ Eigen::VectorXd inverse_norms(const Eigen::MatrixXd& columns) {
   return out;
 }
 
+/// Cholesky factors of the scaled normal equations; a trace of ridge carries columns that others
+/// span, and columns of zeros get a one on the diagonal.
+Eigen::LDLT<Eigen::MatrixXd> factors(const Eigen::MatrixXd& scaled) {
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(scaled.cols(), scaled.cols());
+  normal.selfadjointView<Eigen::Lower>().rankUpdate(scaled.transpose());
+  for (double& d : normal.diagonal()) d = d > 0 ? d + 1e-11 : 1.0;
+  return Eigen::LDLT<Eigen::MatrixXd>(normal.selfadjointView<Eigen::Lower>());
+}
+
 }  // namespace
 
 Solution solve(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right) {
   const Eigen::VectorXd scale = inverse_norms(columns);
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns * scale.asDiagonal());
+  const Eigen::MatrixXd scaled = columns * scale.asDiagonal();
+  const auto normal = factors(scaled);
+  Eigen::VectorXd x = normal.solve(scaled.transpose() * right);
+  x += normal.solve(scaled.transpose() * (right - scaled * x));  // gives back the digits
   Solution out;
-  out.coefficients = scale.cwiseProduct(qr.solve(right));
+  out.coefficients = scale.cwiseProduct(x);
   out.residual = right - columns * out.coefficients;
   out.sse = out.residual.squaredNorm();
-  const auto rank = qr.rank();
-  Eigen::MatrixXd inverse = qr.matrixR()
-                                .topLeftCorner(rank, rank)
-                                .triangularView<Eigen::Upper>()
-                                .solve(Eigen::MatrixXd::Identity(rank, rank));
-  Eigen::VectorXd sd = Eigen::VectorXd::Constant(columns.cols(), INFINITY);
-  sd.head(rank) = inverse.rowwise().norm();
-  out.sd = scale.cwiseProduct(Eigen::VectorXd(qr.colsPermutation() * sd));
+  const Eigen::MatrixXd inverse =
+      normal.solve(Eigen::MatrixXd::Identity(columns.cols(), columns.cols()));
+  out.sd = scale.cwiseProduct(inverse.diagonal().cwiseMax(0.0).cwiseSqrt());
   return out;
 }
 

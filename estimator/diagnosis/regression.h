@@ -13,7 +13,7 @@ struct Solution {
   Eigen::VectorXd sd;  ///< of the coefficients, for unit noise
 };
 
-/// Householder QR on scaled columns; a column of zeros gets the coefficient 0.
+/// Scaled normal equations with one step of refinement; a column of zeros gets the coefficient 0.
 Solution solve(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right);
 
 /// A fixed set of columns that candidates are held against.

@@ -19,7 +19,8 @@ class Collector {
   void add(std::string what, Path path, std::string channel, double from, double to,
            const Array& feature, Make at = {}) {
     if (feature.size() == 0 || !feature.allFinite() || feature.abs().maxCoeff() <= 0) return;
-    out_.push_back({std::move(what), path, std::move(channel), from, to, feature.matrix(), at});
+    out_.push_back(
+        {std::move(what), path, std::move(channel), from, to, false, feature.matrix(), at});
   }
 
   void add(std::string what, Path path, std::string channel, double from, double to,
@@ -88,6 +89,7 @@ class Collector {
           [&m = m_, carrier](double from, double) -> Eigen::VectorXd {
             return (as_array(m.t) > from).select(carrier, 0.0).matrix();
           });
+      if (!out_.empty()) out_.back().at_once = true;
     }
   }
 
@@ -215,7 +217,7 @@ Atom refined(const Bench& bench, const Hypothesis& rest, const Atom& atom) {
   double most = gain(best);
   double step = 0.5 * (atom.to - atom.from);
   if (atom.channel == "time_s") step = std::min(step, 2.0);
-  for (int round = 0; round < 6; ++round, step *= 0.6)
+  for (int round = 0; round < 8; ++round, step *= 0.6)
     for (const auto& [from, to] : {std::pair{-step, 0.0},
                                    {step, 0.0},
                                    {0.0, -step},
