@@ -85,7 +85,9 @@ ClockMap on_one_clock(const Recording& recording) {
   const auto& l = recording.loadcell.t_s;
   if (map.trusted && module.size() == 1 && (l.front() > m.back() || m.front() > l.back())) {
     map.trusted = false;  // two clocks that somebody forgot to stamp look like this
-    map.why += ", on which they never ran at the same time: not to be trusted";
+    map.why =
+        "without host stamps in both the streams are on one clock, and on it "
+        "they never ran at the same time";
   }
   map.why += ".";
   return map;
@@ -131,7 +133,7 @@ ClockMap synchronise(const Recording& recording) {
                       "the arrivals place the two clocks within %.3f ms; the fixed part of a "
                       "one-way latency, which they cannot show, may hide %.1f ms more.",
                       1e3 * seen, 1e3 * latency.ci95_s)
-                : "not to be trusted: " + reason + ".";
+                : reason + ".";
   return map;
 }
 

@@ -45,23 +45,12 @@ std::string name_of(const std::string& recording) {
   return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
 }
 
-/// The estimator knows no file: what it refuses is said of this recording.
-estimator::Evaluation evaluate_signals(const std::string& recording, const Session& session,
-                                       const std::optional<estimator::Model>& model,
-                                       const Options& options) {
-  try {
-    return estimator::evaluate(session.signals, model ? &*model : nullptr, options.evaluation());
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(recording + ": " + error.what() + ".");
-  }
-}
-
 Outcome evaluate_one(const std::string& recording, const Options& options) {
   Outcome out{.name = name_of(recording), .evaluation = {}, .notes = {}, .failure = {}};
   try {
     const Session session = open_session(recording);
     const auto model = find_model(recording, options.model);
-    out.evaluation = evaluate_signals(recording, session, model, options);
+    out.evaluation = evaluate_session(session, model, options.evaluation());
     out.notes = out.evaluation.notes;
     if (!session.clock.trusted) {
       out.notes.push_back("the clocks are not to be trusted: " + session.clock.why);
@@ -131,8 +120,9 @@ void say_row(const char* model, std::optional<double> k, const estimator::Score&
 
 void say(const Outcome& outcome) {
   const estimator::Evaluation& e = outcome.evaluation;
-  std::printf("%s, %.1f s\n  %-18s %16s %11s %15s\n", outcome.name.c_str(), e.seconds,
-              "Torque model", "Stiffness", "Error", "RMSE");
+  std::printf("%s, %.1f s\n", outcome.name.c_str(), e.seconds);
+  if (e.best_fit || e.online || e.current)
+    std::printf("  %-18s %16s %11s %15s\n", "Torque model", "Stiffness", "Error", "RMSE");
   if (e.best_fit) say_row("Linear (best fit)", e.best_fit->k_nm_per_rad, e.best_fit->score);
   if (e.online) say_row("Online", e.online->k_nm_per_rad, e.online->score);
   if (e.current) say_row("Motor current", std::nullopt, e.current->score);

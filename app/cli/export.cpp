@@ -26,7 +26,7 @@ void say(const Session& session, const fs::path& out) {
   std::cout << out.string() << ": " << session.signals.loadcell.t_s.size()
             << " load-cell samples on the module's clock, +- " << 1e3 * session.clock.ci95_s
             << " ms\n";
-  if (!session.clock.trusted) std::cout << "clocks: " << session.clock.why << '\n';
+  if (!session.clock.trusted) std::cout << "clocks: NOT TRUSTED: " << session.clock.why << '\n';
 }
 
 nlohmann::json answer(const Session& session, const fs::path& out) {

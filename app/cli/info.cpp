@@ -58,7 +58,7 @@ void say(const acquisition::Recording& recording, const acquisition::ClockMap& m
             << recording.lever_arm_m << " m\n";
   say_stream(recording.module);
   say_stream(recording.loadcell);
-  std::cout << "clocks: " << map.why << '\n';
+  std::cout << "clocks: " << (map.trusted ? "" : "NOT TRUSTED: ") << map.why << '\n';
   for (const std::string& sentence : switched_off(recording)) std::cout << sentence << '\n';
 }
 

@@ -23,7 +23,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);  // runs the chosen command's callback
   } catch (const CLI::RequiredError& error) {
-    if (app.get_subcommands().empty() && argc > 1) {  // CLI11 would only miss a subcommand
+    if (app.get_subcommands().empty() && argc > 1 &&
+        argv[1][0] != '-') {  // CLI11 would only miss a subcommand
       std::cerr << "searig: there is no command " << argv[1] << "; searig --help lists them.\n";
       return 2;
     }

@@ -29,7 +29,7 @@ class RecordedContent : public Content {
  public:
   RecordedContent(Session session, const std::optional<estimator::Model>& model)
       : session_(std::move(session)) {
-    const auto evaluation = estimator::evaluate(session_.signals, model ? &*model : nullptr);
+    const auto evaluation = evaluate_session(session_, model);
     history_ = history_of(session_.signals, evaluation);
     for (const auto& note : evaluation.notes) remark_ += sentence(QString::fromStdString(note));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -69,6 +70,16 @@ Session session_of(acquisition::Recording recording) {
   session.signals.clock_ci95_s = session.clock.ci95_s;
   session.signals.gear_ratio = session.recording.gear_ratio;
   return session;
+}
+
+estimator::Evaluation evaluate_session(const Session& session,
+                                       const std::optional<estimator::Model>& model,
+                                       const estimator::EvaluationOptions& options) {
+  try {
+    return estimator::evaluate(session.signals, model ? &*model : nullptr, options);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(session.recording.path.string() + ": " + error.what() + ".");
+  }
 }
 
 std::optional<estimator::Model> find_model(const std::filesystem::path& recording,

@@ -6,6 +6,7 @@
 
 #include "acquisition/clock/synchronise.h"
 #include "acquisition/recording/recording.h"
+#include "estimator/evaluation/evaluation.h"
 #include "estimator/model/model.h"
 #include "estimator/signals.h"
 
@@ -22,6 +23,12 @@ Session open_session(const std::filesystem::path& recording);
 
 /// The same for a recording that is already in memory.
 Session session_of(acquisition::Recording recording);
+
+/// Best fit, online and current. The estimator knows no file: what it refuses is said of the
+/// recording, by its path.
+estimator::Evaluation evaluate_session(const Session& session,
+                                       const std::optional<estimator::Model>& model,
+                                       const estimator::EvaluationOptions& options = {});
 
 /// The model to hold against a recording: `model_file` where given, else model.toml in the
 /// recording, else none. Throws with one sentence where the file cannot be used.

@@ -162,6 +162,8 @@ TEST(Estimates, OfWhatCannotBeEvaluatedNameTheRecording) {
   const Ran ran = run_program("searig evaluate " + files.path());
   EXPECT_EQ(ran.exit_code, 1);
   EXPECT_EQ(ran.err.find("searig: " + files.path() + ": "), 0u) << ran.err;
+  const Ran sync = run_program("searig sync " + files.path());
+  EXPECT_NE(sync.out.find("NOT TRUSTED: without host"), std::string::npos) << sync.out;
 }
 
 TEST(WrongUse, ExitsWithTwoAndSaysWhere) {
