@@ -82,8 +82,8 @@ TEST(Grid, StaysWithinTheRangeThatAShapeMayBePolishedIn) {
   for (const Effect* effect : catalogue())
     for (const auto& shape : effect->shape_grid(motion))
       for (std::size_t i = 0; i < effect->free_shape(shape); ++i) {
-        EXPECT_GE(shape[i], effect->shape_range(motion, i).lower) << effect->name();
-        EXPECT_LE(shape[i], effect->shape_range(motion, i).upper) << effect->name();
+        EXPECT_GE(shape[i], effect->shape_range(motion, shape, i).lower) << effect->name();
+        EXPECT_LE(shape[i], effect->shape_range(motion, shape, i).upper) << effect->name();
       }
 }
 
