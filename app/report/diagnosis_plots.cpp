@@ -28,9 +28,7 @@ std::vector<double> as_given(const Examined& examined, Against path,
   const auto torques = estimator::predict(*examined.given, examined.signals.module);
   const auto& model_nm = path == Against::spring ? torques.loadcell_nm : torques.drive_nm;
   if (model_nm.empty()) return {};
-  std::vector<double> t = examined.signals.module.t_s;
-  for (double& value : t) value -= examined.signals.module.t_s.front();
-  std::vector<double> out = estimator::sample_at(t, model_nm, traces.t_s);
+  std::vector<double> out = estimator::sample_at(examined.signals.module.t_s, model_nm, traces.t_s);
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i] = std::isfinite(like[i]) ? traces.measured_nm[i] - out[i] : like[i];
   }
@@ -134,7 +132,9 @@ bool has_path(const Examined& examined, Against path) {
 
 Plot residual_over_time(const Examined& examined, Against path,
                         const std::vector<std::pair<double, double>>& intervals_s) {
-  Plot plot{.title = words_for(path), .x_label = "time (s)", .y_label = "difference (N·m)"};
+  Plot plot{.title = words_for(path),
+            .x_label = "time on the module's clock (s)",
+            .y_label = "difference (N·m)"};
   const Residuals r = residuals_of(examined, path);
   plot.series = lines_of(r);
   plot.y_range = y_range_of(r);
@@ -149,7 +149,7 @@ Plot residual_over_time(const Examined& examined, Against path,
 Plot closer_look(const Examined& examined, Against path, double seconds) {
   const Residuals r = residuals_of(examined, path);
   Plot plot{.title = words_for(path) + ", enlarged",
-            .x_label = "time (s)",
+            .x_label = "time on the module's clock (s)",
             .y_label = "difference (N·m)"};
   plot.series = lines_of(r);
   const double start = busiest(r, seconds);
@@ -164,7 +164,7 @@ std::optional<Plot> residual_over(const Examined& examined, Against path,
   const auto* values = estimator::channel_of(motion, channel);
   if (!values || channel == "time_s") return std::nullopt;
   const Residuals r = residuals_of(examined, path);
-  const auto x = estimator::sample_at(motion.t, *values, r.t_s);
+  const auto x = estimator::sample_at(examined.signals.module.t_s, *values, r.t_s);
   Plot plot{.title = words_for(path) + " over the " + quantity_of(channel).name,
             .x_label = label_of(channel),
             .y_label = "difference (N·m)"};

@@ -61,17 +61,19 @@ void append_loadcell(Merged& out, const estimator::Signals& from, double shift_s
 
 Merged merge(const std::vector<const Session*>& sessions) {
   Merged out;
+  for (const Session* session : sessions) {
+    if (session->signals.module.t_s.empty())
+      throw std::invalid_argument(session->recording.name + " holds no sample of the module");
+  }
   if (sessions.size() == 1) {
     out.signals = sessions.front()->signals;
     const auto& t = out.signals.module.t_s;
-    out.parts.push_back({sessions.front()->recording.name, 0.0, t.empty() ? 0.0 : t.back() - t[0]});
+    out.parts.push_back({sessions.front()->recording.name, t.front(), t.back()});
     return out;
   }
   double next_s = 0.0;
   for (const Session* session : sessions) {
     const estimator::Signals& from = session->signals;
-    if (from.module.t_s.empty())
-      throw std::invalid_argument(session->recording.name + " holds no sample of the module");
     const double shift_s = next_s - from.module.t_s.front();
     for (const double t : from.module.t_s) out.signals.module.t_s.push_back(t + shift_s);
     append_loadcell(out, from, shift_s);

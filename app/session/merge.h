@@ -8,7 +8,7 @@
 
 namespace searig::app {
 
-/// Where a recording lies in the merged one, s from its first module sample.
+/// Where a recording lies in the merged one, s on its module clock.
 struct Part {
   std::string name;
   double from_s = 0.0, to_s = 0.0;

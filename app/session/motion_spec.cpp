@@ -75,8 +75,22 @@ Kind kind_of(const Reader& reader, const toml::node& node) {
   reader.refuse(node, "kind must be triangle, sine, multisine, staircase or hold");
 }
 
+/// The tables [model.spring.linear] and so on as a model file of their own, each on the line that
+/// it has here, so that a complaint names the right one.
+std::string model_lines(const std::string& text) {
+  std::istringstream lines(text);
+  std::string out = "format = \"searig-model/1\"";
+  bool inside = false;
+  for (std::string line; std::getline(lines, line); out += '\n') {
+    if (line.starts_with("[")) inside = line.starts_with("[model.");
+    if (line.starts_with("[model.")) line.erase(1, 6);
+    if (inside) out += line;
+  }
+  return out;
+}
+
 /// The model stands in a file beside the spec, or in the spec itself.
-estimator::Model model_of(const Reader& reader, const toml::table& root,
+estimator::Model model_of(const Reader& reader, const toml::table& root, const std::string& text,
                           const std::filesystem::path& file) {
   const auto* node = root.get("model");
   if (!node) throw std::invalid_argument(file.string() + ": there is no model");
@@ -85,12 +99,8 @@ estimator::Model model_of(const Reader& reader, const toml::table& root,
     return estimator::parse_model(acquisition::read_text_file(path), path.string());
   }
   if (!node->is_table())
-    reader.refuse(*node, "model must be a file's name or the terms themselves");
-  toml::table terms = *node->as_table();
-  terms.insert("format", "searig-model/1");
-  std::ostringstream text;
-  text << terms;
-  return estimator::parse_model(text.str(), file.string() + " [model]");
+    reader.refuse(*node, "model must be a file's name, or tables as [model.spring.linear]");
+  return estimator::parse_model(model_lines(text), file.string());
 }
 
 void read_motion(const Reader& reader, const toml::table& motion, MotionSpec& spec) {
@@ -125,9 +135,10 @@ void read_tables(const Reader& reader, const toml::table& root, MotionSpec& spec
 }  // namespace
 
 MotionSpec read_motion_spec(const std::filesystem::path& file) {
+  const std::string text = acquisition::read_text_file(file);
   toml::table root;
   try {
-    root = toml::parse(acquisition::read_text_file(file), file.string());
+    root = toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     throw std::invalid_argument(file.string() + ": line " +
                                 std::to_string(error.source().begin.line) + ": " +
@@ -138,7 +149,7 @@ MotionSpec read_motion_spec(const std::filesystem::path& file) {
   if (root["format"].value_or(std::string()) != "searig-spec/1")
     throw std::invalid_argument(file.string() + ": format must be \"searig-spec/1\"");
   MotionSpec spec;
-  spec.model = model_of(reader, root, file);
+  spec.model = model_of(reader, root, text, file);
   read_tables(reader, root, spec);
   if (spec.seconds < 1.0 || spec.module_hz < 10.0 || spec.loadcell_hz < 1.0)
     throw std::invalid_argument(file.string() +
