@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "estimator/diagnosis/order.h"
 #include "estimator/model/predict.h"
 #include "estimator/physics/single_amplitude.h"
 
@@ -18,8 +19,7 @@ double typical_step(const std::vector<double>& t) {
   if (t.size() < 2) return 1.0;
   std::vector<double> step(t.size() - 1);
   for (std::size_t i = 0; i + 1 < t.size(); ++i) step[i] = t[i + 1] - t[i];
-  std::ranges::nth_element(step, step.begin() + std::ptrdiff_t(step.size() / 2));
-  return step[step.size() / 2];
+  return median(std::move(step));
 }
 
 void thin_out(Motion& m, std::size_t every) {
@@ -54,9 +54,7 @@ std::vector<bool> spikes(const Eigen::VectorXd& x) {
     // Third difference's kin: what a cubic through the neighbours does not predict.
     apart[i] = std::abs(x[k] - (4.0 * (x[k - 1] + x[k + 1]) - (x[k - 2] + x[k + 2])) / 6.0);
   }
-  std::vector<double> sorted = apart;
-  std::ranges::nth_element(sorted, sorted.begin() + std::ptrdiff_t(n / 2));
-  const double limit = 6.0 * 1.4826 * sorted[n / 2];
+  const double limit = 6.0 * 1.4826 * median(apart);
   std::vector<bool> out(n, false);
   for (std::size_t i = 2; i + 2 < n; ++i)
     out[i] = apart[i] > limit && apart[i] >= apart[i - 1] && apart[i] >= apart[i + 1];
@@ -130,13 +128,11 @@ void weigh_holds(Experiment& e, const ModuleSignals& module) {
   const Eigen::VectorXd theta = e.at_loadcell(as_array(m.theta).matrix());
   const double k = e.loadcell_nm.dot(theta) / std::max(theta.squaredNorm(), 1e-30);
   const Eigen::Index n = e.loadcell_rows();
-  double noise = 0.0;  // what neighbouring samples differ by, while nothing happens
-  std::vector<double> apart;
+  std::vector<double> apart;  // neighbouring samples, while nothing happens
   for (Eigen::Index i = 1; i + 1 < n; ++i)
     apart.push_back(
         std::abs(e.loadcell_nm[i] - 0.5 * (e.loadcell_nm[i - 1] + e.loadcell_nm[i + 1])));
-  std::ranges::nth_element(apart, apart.begin() + std::ptrdiff_t(apart.size() / 2));
-  noise = std::max(1.2 * apart[apart.size() / 2], 1e-12);
+  const double noise = std::max(1.2 * median(std::move(apart)), 1e-12);
   const double error = std::abs(k) * q / std::sqrt(12.0);
   for (Eigen::Index from = 0; from < n;) {
     Eigen::Index to = from + 1;

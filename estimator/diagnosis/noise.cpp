@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimator/diagnosis/order.h"
+
 namespace searig::estimator {
 namespace {
 
@@ -14,8 +16,7 @@ constexpr double white_share = 0.05;
 double robust_sd(std::vector<double> x) {
   if (x.empty()) return 1.0;
   for (double& v : x) v = std::abs(v);
-  std::ranges::nth_element(x, x.begin() + std::ptrdiff_t(x.size() / 2));
-  return 1.4826 * x[x.size() / 2];
+  return 1.4826 * median(std::move(x));
 }
 
 }  // namespace

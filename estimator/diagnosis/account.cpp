@@ -1,0 +1,130 @@
+#include "estimator/diagnosis/account.h"
+
+#include <algorithm>
+
+#include "estimator/diagnosis/unnamed.h"
+#include "estimator/physics/catalogue.h"
+
+namespace searig::estimator {
+namespace {
+
+constexpr int most_changes = 6;
+
+class Accountant {
+ public:
+  Accountant(Bench& bench, Search& search, const Model& given, const Tell& tell)
+      : bench_(bench), search_(search), given_(given), tell_(tell) {}
+
+  Account run() {
+    lay_base();
+    tell_("looking at what is left", 0.1);
+    find_missing();
+    tell_("weighing rivals", 0.5);
+    judge();
+    return std::move(out_);
+  }
+
+ private:
+  void lay_base() {
+    const Experiment& e = bench_.experiment();
+    Hypothesis base;
+    for (const auto& term : given_.terms) {
+      const Effect* effect = find_effect(term.effect);
+      if (effect->applies(e.motion) && has_rows(effect->path()))
+        base.push_back({effect, effect->shape(term), nullptr});
+      else
+        out_.switched_off.push_back(term.effect +
+                                    " is switched off: the recording lacks its channels");
+    }
+    if (!e.has_drive()) out_.switched_off.push_back("no drive path: no current with a velocity");
+    if (!e.has_spring()) out_.switched_off.push_back("no spring path: no deflection");
+    search_.learn_noise(base);
+    bench_.learn_torque(base);
+    search_.learn_noise(base);
+    out_.base = search_.score(base);
+    out_.final = out_.base;
+  }
+
+  bool has_rows(Path path) const {
+    const Experiment& e = bench_.experiment();
+    return path == Path::drive ? e.has_drive() : path != Path::spring || e.has_spring();
+  }
+
+  void find_missing() {
+    std::vector<Step> trail;
+    const Scored named = search_.add_named(out_.base, trail);
+    out_.final = named;
+    const Step& last = trail.back();
+    const bool rest_has_no_name =
+        !last.unnamed.empty() && search_.stands_out(last.unnamed.front(), last.before);
+    if (!rest_has_no_name) return;
+    // Something without a name is there. Did it push a wrong name forward? Let both kinds compete
+    // from the start, and keep whichever account is the better one.
+    tell_("something is left that has no name", 0.35);
+    const Scored beside = search_.add_unnamed(named, 3);
+    const Scored rivals = search_.add_either(out_.base, 4);
+    search_.learn_noise(beside.hypothesis);  // to compare them under one noise
+    out_.final = search_.score(rivals.hypothesis).cost() < search_.score(beside.hypothesis).cost()
+                     ? rivals
+                     : beside;
+    refine_atoms();
+  }
+
+  /// Atoms come from a coarse grid of places; what they tell is where.
+  void refine_atoms() {
+    for (std::size_t i = 0; i < out_.final.hypothesis.size(); ++i) {
+      if (!out_.final.hypothesis[i].atom) continue;
+      Hypothesis rest = out_.final.hypothesis;
+      rest.erase(rest.begin() + std::ptrdiff_t(i));
+      out_.moved_atoms.push_back(refined(bench_, rest, *out_.final.hypothesis[i].atom));
+      out_.final.hypothesis[i].atom = &out_.moved_atoms.back();
+    }
+  }
+
+  bool in_base(const Piece& piece) const {
+    return std::ranges::any_of(out_.base.hypothesis, [&](const Piece& p) {
+      return p.effect == piece.effect && p.shape.size() == piece.shape.size();
+    });
+  }
+
+  /// Drops named pieces that do not hold once everything is in place, and lets rivals that fit
+  /// better in their place take it.
+  void judge() {
+    search_.learn_noise(out_.final.hypothesis);
+    out_.final = search_.score(out_.final.hypothesis);
+    for (int changes = 0; changes < most_changes; ++changes)
+      if (!change_one()) return;
+  }
+
+  bool change_one() {
+    out_.assessments.clear();
+    for (std::size_t i = 0; i < out_.final.hypothesis.size(); ++i) {
+      const Piece piece = out_.final.hypothesis[i];
+      if (piece.atom || in_base(piece)) continue;
+      Assessment a = assess(search_, bench_, out_.final, i);
+      const bool weak =
+          a.gain < search_.criteria().least_gain || a.rho < search_.criteria().least_rho;
+      if (!weak && !a.better) {
+        out_.assessments.push_back(std::move(a));
+        continue;
+      }
+      out_.final = a.better ? *a.better : search_.score(a.without);
+      return true;
+    }
+    return false;
+  }
+
+  Bench& bench_;
+  Search& search_;
+  const Model& given_;
+  const Tell& tell_;
+  Account out_;
+};
+
+}  // namespace
+
+Account find_account(Bench& bench, Search& search, const Model& given, const Tell& tell) {
+  return Accountant(bench, search, given, tell).run();
+}
+
+}  // namespace searig::estimator

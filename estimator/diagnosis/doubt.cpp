@@ -1,0 +1,83 @@
+#include "estimator/diagnosis/doubt.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace searig::estimator {
+namespace {
+
+/// What is left of a probability beside something nameless in the same residuals: names of the
+/// proving ground that stood there were right about two times in three.
+constexpr double beside_nameless = 0.65;
+
+}  // namespace
+
+void doubt_beside_unexplained(Diagnosis& out) {
+  if (!out.unexplained) return;
+  const auto& left = out.unexplained->located;
+  for (auto& f : out.findings)
+    if (f.located.residuals == left.residuals && left.share > 0.1 * f.located.share)
+      f.probability *= beside_nameless;
+  if (out.unexplained->what == "the load cell's zero wanders")
+    std::erase_if(out.findings, [](const Finding& f) { return f.effect == "rig.zero_drift"; });
+}
+
+void withdraw_contradicted(const Account& account, Diagnosis& out) {
+  std::erase_if(out.findings, [&](const Finding& f) {
+    const auto a = std::ranges::find_if(account.assessments, [&](const Assessment& x) {
+      return account.final.hypothesis[x.piece].effect->name() == f.effect;
+    });
+    const bool nameless_as_likely = !f.alternatives.empty() &&
+                                    f.alternatives.front().effect.empty() &&
+                                    f.alternatives.front().probability >= f.probability;
+    if (a->consistent && !nameless_as_likely) return false;
+    if (!out.unexplained)
+      out.unexplained =
+          Unexplained{f.located, 0.001,
+                      a->consistent ? "as likely something without a name as " + f.effect
+                                    : "the residuals disagree about " + f.effect};
+    return true;
+  });
+}
+
+double settle_offsets(const Bench& bench, const Hypothesis& final, const Fit& fit, Diagnosis& out) {
+  const auto found = std::ranges::find(out.findings, "drive.current_offset", &Finding::effect);
+  const Eigen::Index zero = fit.columns.cols() - bench.nuisance_count();
+  const double loadcell = fit.solution.coefficients[zero];
+  const double loadcell_sd = 3.0 * fit.solution.sd[zero];
+  const double zero_nm =
+      std::abs(loadcell) > std::max(loadcell_sd, 0.003 * bench.experiment().torque_rms) ? loadcell
+                                                                                        : 0.0;
+  if (found == out.findings.end()) return zero_nm;
+  double drive = 0.0;
+  for (std::size_t i = 0; i < final.size(); ++i)
+    if (final[i].effect && final[i].effect->name() == found->effect) drive = fit.amplitudes(i)[0];
+  const double tolerance = std::max(loadcell_sd, 0.15 * std::abs(drive));
+  if (std::abs(loadcell) <= tolerance) return zero_nm;
+  const bool deflection = std::abs(loadcell - drive) <= tolerance;
+  out.findings.erase(found);
+  std::erase_if(out.extended.terms,
+                [](const Term& t) { return t.effect == "drive.current_offset"; });
+  if (deflection) {
+    out.notes.push_back("the deflection has an offset: a number, to be tared");
+    return loadcell;
+  }
+  out.undecidable.push_back({{"drive.current_offset"},
+                             "load cell, deflection and current disagree by constants; two of the "
+                             "three are off, and no recording tells which",
+                             "readings at rest, unloaded, with the motor switched off"});
+  return loadcell;
+}
+
+void merge_late(Diagnosis& out) {
+  const auto delay = std::ranges::find(out.findings, "rig.delay", &Finding::effect);
+  const auto lag = std::ranges::find(out.findings, "rig.lag", &Finding::effect);
+  if (delay == out.findings.end() || lag == out.findings.end()) return;
+  const bool lag_names = lag->parameters[0].value > std::abs(delay->parameters[0].value);
+  Finding &kept = lag_names ? *lag : *delay, &other = lag_names ? *delay : *lag;
+  kept.probability = std::max(kept.probability, other.probability);
+  kept.parameters.insert(kept.parameters.end(), other.parameters.begin(), other.parameters.end());
+  out.findings.erase(lag_names ? delay : lag);
+}
+
+}  // namespace searig::estimator
