@@ -45,20 +45,18 @@ Against main_path(const Examined& examined) {
 void write_facts(HtmlReport& report, const Examined& examined) {
   const Diagnosis& d = examined.diagnosis;
   std::vector<std::pair<std::string, std::string>> facts;
-  if (!d.findings.empty()) {
-    const Finding& f = d.findings.front();
-    facts.push_back({"missing", f.effect});
-    facts.push_back(
-        {"held-out error", figures(f.before_nm, 2) + " → " + with_unit(f.after_nm, "N·m", 2)});
+  std::string missing;
+  for (const Finding& f : d.findings) missing += (missing.empty() ? "" : ", ") + f.effect;
+  if (!missing.empty()) facts.push_back({"missing", missing});
+  if (const auto& path = main_path(examined) == Against::spring ? d.spring : d.drive) {
+    const bool only_numbers = d.verdict == Verdict::recalibrate && path->as_given;
+    const double before = only_numbers ? *path->as_given : path->before;
+    const std::string after = with_unit(path->after, "N·m", 2);
+    const bool fell = d.verdict != Verdict::consistent;
+    facts.push_back({fell ? "held-out error" : "error left",
+                     fell ? figures(before, 2) + " → " + after : after});
+    facts.push_back({"noise", with_unit(path->noise_floor, "N·m", 2)});
   }
-  const auto& path = main_path(examined) == Against::spring ? d.spring : d.drive;
-  if (path && d.findings.empty()) {
-    const bool fell = path->as_given && d.verdict != Verdict::consistent;
-    facts.push_back(
-        {fell ? "error" : "error left",
-         (fell ? figures(*path->as_given, 2) + " → " : "") + with_unit(path->after, "N·m", 2)});
-  }
-  if (path) facts.push_back({"noise", with_unit(path->noise_floor, "N·m", 2)});
   facts.push_back({"length", number(seconds_of(examined), 0) + " s"});
   report.facts(facts);
 }

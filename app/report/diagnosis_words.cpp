@@ -20,10 +20,11 @@ std::string percent(double share) {
   return number(100.0 * share, 0) + " %";
 }
 
-std::string joined(const std::vector<std::string>& parts, const std::string& last = " and ") {
+std::string joined(const std::vector<std::string>& parts, const std::string& last = " and ",
+                   const std::string& between = ", ") {
   std::string out;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0) out += i + 1 == parts.size() ? last : ", ";
+    if (i > 0) out += i + 1 == parts.size() ? last : between;
     out += parts[i];
   }
   return out;
@@ -39,15 +40,21 @@ const PathErrors* clearest(const Diagnosis& d) {
 }
 
 std::string missing_headline(const Diagnosis& d) {
-  std::vector<std::string> names;
-  for (const Finding& f : d.findings) names.push_back(title_of(f.effect));
-  std::string out = "The simulation leaves something out: " + joined(names) + ".";
-  double least = 1.0;
-  for (const Finding& f : d.findings) least = std::min(least, f.probability);
-  out += " This is " + how_sure(least) + ".";
+  std::string out = "The simulation leaves something out: ";
+  if (d.findings.size() == 1) {
+    const Finding& f = d.findings.front();
+    out += title_of(f.effect) + ". This is " + how_sure(f.probability) + ".";
+  } else {
+    std::vector<std::string> names;
+    for (const Finding& f : d.findings) {
+      names.push_back(title_of(f.effect) + ", " + how_sure(f.probability));
+    }
+    out += joined(names, "; and ", "; ") + ".";
+  }
   const PathErrors* path = clearest(d);
   if (path && path->after < path->before) {
-    out += " With it, " + improvement(path->before, path->after) + ".";
+    out += (d.findings.size() == 1 ? " With it, " : " With them, ") +
+           improvement(path->before, path->after) + ".";
   }
   if (d.unexplained) out += " Something more remains that has no name in the catalogue.";
   return out;
