@@ -91,7 +91,7 @@ class Search {
                                                      const std::vector<Piece>& pieces);
   std::vector<Piece> best_pair(const Hypothesis& from, const Projection& projection,
                                const std::vector<Ranked>& ranked);
-  std::vector<std::vector<Piece>> shortlist_unnamed(const Hypothesis& from, std::size_t most);
+  std::vector<std::vector<Piece>> shortlist_unnamed(const Hypothesis& from);
   Hypothesis with(Hypothesis from, const std::vector<Piece>& pieces) const;
   bool believable(const Contender& contender);
   bool at_its_bound(const Piece& piece) const;
