@@ -108,7 +108,7 @@ void write_rivals(HtmlReport& report, const Finding& f) {
       rows.push_back({a.effect, number(100.0 * a.probability, 0) + " %", a.separated_by});
     }
   }
-  if (rest > 0.005) bars.push_back({"chance, or something not considered", rest});
+  if (rest > 0.02) bars.push_back({"chance, or something not considered", rest});
   if (bars.size() == 1) {
     report.paragraph("No other explanation comes near: this one is " + how_sure(f.probability) +
                      ".");
