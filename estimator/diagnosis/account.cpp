@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "estimator/diagnosis/heldout.h"
 #include "estimator/diagnosis/unnamed.h"
 #include "estimator/physics/catalogue.h"
 
@@ -104,7 +105,7 @@ class Accountant {
       Assessment a = assess(search_, bench_, out_.final, i);
       const bool weak =
           a.gain < search_.criteria().least_gain || a.rho < search_.criteria().least_rho;
-      if (!weak && !a.better) {
+      if (!weak && !a.better && predicts(a, piece)) {
         out_.assessments.push_back(std::move(a));
         continue;
       }
@@ -112,6 +113,15 @@ class Accountant {
       return true;
     }
     return false;
+  }
+
+  /// Whether blocks that no fit saw are predicted no worse with the piece than without it.
+  bool predicts(const Assessment& a, const Piece& piece) const {
+    const auto with = heldout_residuals(bench_, out_.final.hypothesis);
+    const auto without = heldout_residuals(bench_, a.without);
+    const bool drive = piece.effect->path() == Path::drive || !bench_.experiment().has_spring();
+    return rms_of(drive ? with.drive : with.spring) <=
+           1.003 * rms_of(drive ? without.drive : without.spring);
   }
 
   Bench& bench_;

@@ -14,6 +14,7 @@ namespace {
 constexpr double half_width_s = 0.024;  // of the differentiator
 constexpr double rate_limit_hz = 300.0;
 constexpr double edge_s = 0.1;
+constexpr double loadcell_limit_hz = 100.0;  // faster load cells: every n-th sample, as measured
 
 double typical_step(const std::vector<double>& t) {
   if (t.size() < 2) return 1.0;
@@ -83,13 +84,34 @@ std::vector<bool> moving(const Motion& m, const std::vector<double>& at, double 
 }
 
 void lay_loadcell_rows(Experiment& e, const Signals& s) {
-  e.loadcell_t = s.loadcell.t_s;
-  for (double& t : e.loadcell_t) t -= e.start_s;
-  const auto n = Eigen::Index(s.loadcell.torque_nm.size());
-  e.loadcell_nm = Eigen::Map<const Eigen::VectorXd>(s.loadcell.torque_nm.data(), n);
+  const auto every = std::max<std::size_t>(
+      1, std::size_t(1.0 / (typical_step(s.loadcell.t_s) * loadcell_limit_hz)));
+  std::vector<double> torque;
+  for (std::size_t i = 0; i < s.loadcell.t_s.size(); i += every) {
+    e.loadcell_t.push_back(s.loadcell.t_s[i] - e.start_s);
+    torque.push_back(s.loadcell.torque_nm[i]);
+  }
+  const auto n = Eigen::Index(torque.size());
+  e.loadcell_nm = Eigen::Map<const Eigen::VectorXd>(torque.data(), n);
   e.torque_rms = std::sqrt(e.loadcell_nm.squaredNorm() / double(std::max<Eigen::Index>(n, 1)));
   e.loadcell_width_s = std::min(0.02, typical_step(e.loadcell_t));
   e.at_loadcell = Sampler(e.motion.t, e.loadcell_t, e.loadcell_width_s);
+}
+
+/// A first idea of the load on spring and gears. Where there is a spring it comes from the
+/// deflection, so that nothing measured by the load cell is ever held against itself.
+void guess_load(Experiment& e, const LoadcellSignals& loadcell) {
+  Motion& m = e.motion;
+  if (!m.has_spring()) {
+    std::vector<double> t = loadcell.t_s;
+    for (double& v : t) v -= e.start_s;
+    m.spring_nm = sample_at(t, loadcell.torque_nm, m.t);
+    return;
+  }
+  const Eigen::VectorXd theta = e.at_loadcell(as_array(m.theta).matrix());
+  const Eigen::ArrayXd a = theta.array() - theta.mean();
+  const double k = (a * e.loadcell_nm.array()).sum() / std::max(a.square().sum(), 1e-30);
+  for (const double v : m.theta) m.spring_nm.push_back(k * v);
 }
 
 void lay_drive_rows(Experiment& e) {
@@ -181,8 +203,7 @@ Experiment prepare(const Signals& signals, double smoothing_rad_s) {
   thin_out(e.motion, every);
   e.clock_sd_s = signals.clock_ci95_s / 1.96;
   lay_loadcell_rows(e, signals);
-  // A first idea of the load on the gears; the fit replaces it where there is a spring.
-  e.motion.spring_nm = sample_at(e.loadcell_t, signals.loadcell.torque_nm, e.motion.t);
+  guess_load(e, signals.loadcell);
   lay_drive_rows(e);
   if (e.rows() == 0)
     throw std::invalid_argument(

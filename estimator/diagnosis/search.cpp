@@ -147,8 +147,9 @@ bool Search::passes(const Contender& c, const Scored& from) {
 }
 
 bool Search::stands_out(const Contender& c, const Scored& from) {
-  return passes(c, from) &&
-         strength(bench_, from, c.scored) >= criteria_.least_of_largest * largest_;
+  const double share =
+      c.pieces.front().atom ? criteria_.least_unnamed_of_largest : criteria_.least_of_largest;
+  return passes(c, from) && strength(bench_, from, c.scored) >= share * largest_;
 }
 
 Scored Search::add_named(Scored from, std::vector<Step>& trail) {

@@ -42,6 +42,7 @@ struct Criteria {
   double least_unnamed_rho = 0.3;  ///< and the world is full of small nameless things
   double least_rho = 0.18;         ///< rms of the term over rms of the noise, in a block it enters
   double least_of_largest = 0.04;  ///< the same over that of the strongest term found
+  double least_unnamed_of_largest = 0.15;  ///< below it, another form of the named effect will do
   int most_terms = 4;
 };
 
