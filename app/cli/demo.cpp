@@ -13,6 +13,8 @@
 #include "app/cli/demo_report.h"
 #include "app/cli/desktop_program.h"
 #include "app/cli/json_output.h"
+#include "app/report/diagnosis_report.h"
+#include "app/report/diagnosis_words.h"
 #include "app/rig/live_rig.h"
 #include "app/session/session.h"
 
@@ -110,7 +112,12 @@ void run(const Options& options) {
   evaluate_all(session, rig.model(), result);
   for (const auto& line : describe(session, result)) say(line);
 
-  // The diagnosis joins here: app/cli/diagnose on `session` and `rig.model()`, into the report.
+  // What the believed model leaves out of the simulated rig, as searig diagnose says it.
+  const Examined examined = examine({&session}, rig.model());
+  say(headline(examined.diagnosis));
+  const fs::path diagnosis = options.out / "diagnosis.html";
+  diagnosis_report(examined).write(diagnosis);
+  say("Diagnosis: " + diagnosis.string());
 
   result.report = options.out / "report.html";
   demo_report(session, rig, result).write(result.report);

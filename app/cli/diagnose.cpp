@@ -16,7 +16,7 @@
 #include "app/report/diagnosis_json.h"
 #include "app/report/diagnosis_report.h"
 #include "app/report/diagnosis_words.h"
-#include "app/session/merge.h"
+#include "app/session/examine.h"
 
 namespace searig::app {
 namespace {
@@ -50,25 +50,12 @@ void note_model_of_others(const Options& options, Outcome& outcome) {
 
 Outcome diagnose_together(const std::vector<std::string>& recordings, const Options& options,
                           const estimator::Progress& progress) {
-  Outcome out;
   std::vector<Session> sessions;
   for (const auto& recording : recordings) sessions.push_back(open_session(recording));
-  out.given = find_model(recordings.front(), options.model);
-  std::vector<const Session*> pointers;
-  for (const auto& session : sessions) pointers.push_back(&session);
-  Merged merged = merge(pointers);
-  out.signals = std::move(merged.signals);
-  out.parts = merged.parts;
+  std::vector<const Session*> together;
+  for (const auto& session : sessions) together.push_back(&session);
+  Outcome out{examine(together, find_model(recordings.front(), options.model), progress), {}, {}};
   out.name = out.parts.front().name;
-  out.diagnosis = estimator::diagnose(out.signals, out.given, progress);
-  auto& notes = out.diagnosis.notes;
-  notes.insert(notes.end(), merged.notes.begin(), merged.notes.end());
-  for (const auto& session : sessions) {
-    if (!session.clock.trusted) {
-      notes.push_back("the clocks of " + session.recording.name +
-                      " are not to be trusted: " + session.clock.why);
-    }
-  }
   return out;
 }
 

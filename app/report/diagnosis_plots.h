@@ -6,18 +6,9 @@
 #include <vector>
 
 #include "app/report/plot.h"
-#include "app/session/merge.h"
-#include "estimator/diagnosis/diagnosis.h"
+#include "app/session/examine.h"
 
 namespace searig::app {
-
-/// A diagnosis with what it was made from.
-struct Examined {
-  estimator::Diagnosis diagnosis;
-  estimator::Signals signals;
-  std::optional<estimator::Model> given;
-  std::vector<Part> parts;
-};
 
 /// Which of the two comparisons with the load cell a plot shows.
 enum class Against { spring, drive };

@@ -1,0 +1,26 @@
+#include "app/session/examine.h"
+
+#include <utility>
+
+namespace searig::app {
+
+Examined examine(const std::vector<const Session*>& sessions, std::optional<estimator::Model> given,
+                 const estimator::Progress& progress) {
+  Examined out;
+  Merged merged = merge(sessions);
+  out.signals = std::move(merged.signals);
+  out.parts = std::move(merged.parts);
+  out.given = std::move(given);
+  out.diagnosis = estimator::diagnose(out.signals, out.given, progress);
+  auto& notes = out.diagnosis.notes;
+  notes.insert(notes.end(), merged.notes.begin(), merged.notes.end());
+  for (const Session* session : sessions) {
+    if (!session->clock.trusted) {
+      notes.push_back("the clocks of " + session->recording.name +
+                      " are not to be trusted: " + session->clock.why);
+    }
+  }
+  return out;
+}
+
+}  // namespace searig::app
