@@ -117,11 +117,10 @@ void run(const Options& options) {
   say(headline(examined.diagnosis));
   const fs::path diagnosis = options.out / "diagnosis.html";
   diagnosis_report(examined).write(diagnosis);
-  say("Diagnosis: " + diagnosis.string());
 
   result.report = options.out / "report.html";
   demo_report(session, rig, result).write(result.report);
-  say("Report: " + result.report.string());
+  say("Reports: " + result.report.string() + " and " + diagnosis.string());
   result.pictures = take_pictures(options, result.recording);
   for (const auto& picture : result.pictures) say("Picture: " + picture.string());
   if (!options.json.empty()) write_json(to_json(session, result), options.json);
