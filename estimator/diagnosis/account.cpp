@@ -57,7 +57,9 @@ class Accountant {
     out_.final = named;
     const Step& last = trail.back();
     const bool rest_has_no_name =
-        !last.unnamed.empty() && search_.stands_out(last.unnamed.front(), last.before);
+        !last.unnamed.empty() && search_.stands_out(last.unnamed.front(), last.before) &&
+        // A named effect that is too small to assert, yet fits as well, is the likelier remainder.
+        (last.named.empty() || last.unnamed.front().gain > 1.1 * last.named.front().gain);
     if (!rest_has_no_name) return;
     // Something without a name is there. Did it push a wrong name forward? Let both kinds compete
     // from the start, and keep whichever account is the better one.

@@ -69,6 +69,23 @@ double settle_offsets(const Bench& bench, const Hypothesis& final, const Fit& fi
   return loadcell;
 }
 
+void leave_to_the_clock(const Bench& bench, Diagnosis& out) {
+  constexpr double beyond = 1.6;  // times the clock map's interval
+  const double open_s = beyond * 1.96 * bench.experiment().clock_sd_s;
+  std::erase_if(out.findings, [&](const Finding& f) {
+    const bool late = f.effect == "rig.delay" || f.effect == "rig.lag";
+    double seconds = 0.0;
+    for (const auto& p : f.parameters) seconds += std::abs(p.value);
+    if (!late || seconds > open_s) return false;
+    out.undecidable.push_back({{"rig.delay", "rig.lag"},
+                               "the load cell seems late, but by little more than its clock is "
+                               "known to",
+                               "a two-way ping, or a sharp knock on the lever"});
+    std::erase_if(out.extended.terms, [&](const Term& t) { return t.effect == f.effect; });
+    return true;
+  });
+}
+
 void merge_late(Diagnosis& out) {
   const auto delay = std::ranges::find(out.findings, "rig.delay", &Finding::effect);
   const auto lag = std::ranges::find(out.findings, "rig.lag", &Finding::effect);

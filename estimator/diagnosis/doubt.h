@@ -18,6 +18,9 @@ void withdraw_contradicted(const Account& account, Diagnosis& out);
 /// load cell's zero at nothing. Returns that zero in N*m where it is one, else 0.
 double settle_offsets(const Bench& bench, const Hypothesis& final, const Fit& fit, Diagnosis& out);
 
+/// A load cell that is late by little more than the clock map leaves open stays undecided.
+void leave_to_the_clock(const Bench& bench, Diagnosis& out);
+
 /// Delay and lag are one finding: the load cell answers late. The larger time names it.
 void merge_late(Diagnosis& out);
 

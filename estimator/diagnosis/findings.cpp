@@ -98,6 +98,7 @@ double state_findings(const Bench& bench, const Account& account, const Model& g
   withdraw_contradicted(account, out);
   const double zero_nm = settle_offsets(bench, final, fit, out);
   merge_late(out);
+  leave_to_the_clock(bench, out);
   for (auto& u : undecidable(bench, final)) out.undecidable.push_back(std::move(u));
   return zero_nm;
 }

@@ -11,8 +11,8 @@
 namespace searig::estimator {
 namespace {
 
-constexpr double loud = 2.2;  // times what is expected
-constexpr double least_seconds = 2.0;
+constexpr double loud = 3.0;  // times what is expected: slow noise alone reaches two now and then
+constexpr double least_seconds = 3.0;
 
 struct Second {
   double begins_s, loudness, load;  // medians of |residual| and of |torque| or |speed|
@@ -92,10 +92,16 @@ std::optional<Unexplained> loud_while(const Bench& bench, const Hypothesis& hypo
     out.located.residuals = residuals_of(block == 0 ? Path::rig : Path::drive);
     for (const auto& [from, to] : found)
       out.located.intervals_s.emplace_back(e.start_s + from, e.start_s + to);
-    // A row is 2.2 times beyond the median with a chance of 0.14; that half of n rows are, by
-    // Chernoff's bound, with one of (4*0.14*0.86)^(n/2). Bonferroni over the seconds.
+    // A row is three times beyond the median with a chance of 0.043; that half of n rows are, by
+    // Chernoff's bound, with one of (4*0.043*0.957)^(n/2). Slow noise has fewer rows to count, by
+    // (1 - r)/(1 + r) for a correlation of r between neighbours. Bonferroni over the seconds.
+    const Autoregression& noise =
+        block == 0 ? bench.whitening().loadcell() : bench.whitening().drive();
+    const double r = std::clamp(noise.phi.sum(), 0.0, 0.98);
     const double rows = double(borders[block + 1] - borders[block]) / e.motion.t.back();
-    out.p_value = std::min(1.0, e.motion.t.back() * std::pow(0.48, 0.5 * rows * length));
+    const double free_rows = rows * length * (1.0 - r) / (1.0 + r);
+    out.p_value = std::min(1.0, e.motion.t.back() * std::pow(0.165, 0.5 * free_rows));
+    if (out.p_value > 0.01) continue;
     out.what = "something shakes for a while";
     return out;
   }

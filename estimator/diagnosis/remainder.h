@@ -9,8 +9,8 @@
 
 namespace searig::estimator {
 
-/// Seconds in which the residual is over twice as loud as load and speed let expect, at
-/// least two in a row: a cable that swings, a loose bolt.
+/// Seconds in which the residual is over three times as loud as load and speed let expect,
+/// at least three in a row: a cable that swings, a loose bolt.
 std::optional<Unexplained> loud_while(const Bench& bench, const Hypothesis& hypothesis);
 
 /// Rows far beyond the noise that come too often for spikes: blows, slips, lost codes. Placed over
