@@ -44,16 +44,19 @@ std::pair<double, Region> crowded(const Experiment& e, const std::vector<Eigen::
 std::optional<Unexplained> blows(const Bench& bench, const Hypothesis& hypothesis) {
   const Experiment& e = bench.experiment();
   const Eigen::VectorXd raw = bench.raw_residual(hypothesis, bench.fit(hypothesis));
+  const auto counts = [&](Eigen::Index i) {  // held rows share one error: many of them are one
+    return e.usable[std::size_t(i)] && e.weight[std::size_t(i)] > 0.9;
+  };
   const Eigen::Index borders[3] = {0, e.loadcell_rows(), e.rows()};
   for (int block = 0; block < 2; ++block) {
     std::vector<double> size;
     for (Eigen::Index i = borders[block]; i < borders[block + 1]; ++i)
-      if (e.usable[std::size_t(i)]) size.push_back(std::abs(raw[i]));
+      if (counts(i)) size.push_back(std::abs(raw[i]));
     if (size.size() < 200) continue;
     const double limit = far * 1.4826 * median(size);
     std::vector<Eigen::Index> marked;
     for (Eigen::Index i = borders[block]; i < borders[block + 1]; ++i)
-      if (e.usable[std::size_t(i)] && std::abs(raw[i]) > limit) marked.push_back(i);
+      if (counts(i) && std::abs(raw[i]) > limit) marked.push_back(i);
     if (double(marked.size()) < least_share * double(size.size())) continue;
     std::pair<double, Region> best{1.0, {}};
     for (const char* channel : places)

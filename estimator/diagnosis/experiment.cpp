@@ -16,6 +16,11 @@ constexpr double rate_limit_hz = 300.0;
 constexpr double edge_s = 0.1;
 constexpr double loadcell_limit_hz = 100.0;  // faster load cells: every n-th sample, as measured
 
+double range(const std::vector<double>& x) {
+  const auto [low, high] = std::ranges::minmax_element(x);
+  return x.empty() ? 0.0 : *high - *low;
+}
+
 double typical_step(const std::vector<double>& t) {
   if (t.size() < 2) return 1.0;
   std::vector<double> step(t.size() - 1);
@@ -197,6 +202,9 @@ Experiment prepare(const Signals& signals, double smoothing_rad_s) {
   e.start_s = signals.module.t_s.front();
   e.motion = motion_of(signals.module, half_width_s);
   e.motion.smoothing_rad_s = smoothing_rad_s;
+  // A clamped output moves by its encoder's rounding only: nothing can be said over its angle.
+  if (range(e.motion.q_o) < 0.1 * range(e.motion.theta))
+    e.motion.q_o.clear(), e.motion.w_o.clear(), e.motion.a_o.clear();
   const auto every = std::max<std::size_t>(
       1, std::size_t(std::lround(1.0 / (typical_step(e.motion.t) * rate_limit_hz))));
   average(e.motion.current, every);

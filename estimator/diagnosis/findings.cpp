@@ -99,6 +99,13 @@ double state_findings(const Bench& bench, const Account& account, const Model& g
   const double zero_nm = settle_offsets(bench, final, fit, out);
   merge_late(out);
   leave_to_the_clock(bench, out);
+  // The model that is handed on holds what is asserted, not what was taken back.
+  std::erase_if(out.extended.terms, [&](const Term& t) {
+    const auto says = [&](const Finding& f) {
+      return std::ranges::any_of(f.parameters, [&](const auto& p) { return p.effect == t.effect; });
+    };
+    return !given.has(t.effect) && std::ranges::none_of(out.findings, says);
+  });
   for (auto& u : undecidable(bench, final)) out.undecidable.push_back(std::move(u));
   return zero_nm;
 }

@@ -11,7 +11,7 @@ namespace {
 
 /// At least this share of the noise is taken to be white. Without it a smooth misfit would pass for
 /// noise with a long memory, and any model would fit.
-constexpr double white_share = 0.05;
+constexpr double white_share = 0.01;
 
 double robust_sd(std::vector<double> x) {
   if (x.empty()) return 1.0;
