@@ -45,9 +45,9 @@ Kinematics differentiate(std::span<const double> t, std::span<const double> x,
     last = std::max(last, i);
     while (last < n && t[last] <= t[i] + half_width_s) ++last;
     std::size_t from = first, to = last;
-    while (to - from < 5 && (from > 0 || to < n)) {  // sparse or broken data: take neighbours in
-      if (from > 0) --from;
-      if (to < n) ++to;
+    while (to - from < 5 && (from > 0 || to < n)) {  // sparse data: the nearest, not across a gap
+      const bool back = to == n || (from > 0 && t[i] - t[from - 1] <= t[to] - t[i]);
+      back ? --from : ++to;
     }
     const auto d = local_cubic(t.subspan(from, to - from), x.subspan(from, to - from), t[i]);
     out.value[i] = d.value;

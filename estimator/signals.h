@@ -32,6 +32,9 @@ struct Signals {
   LoadcellSignals loadcell;
   double clock_ci95_s = 0.0;  ///< half width of the 95 % interval of the load-cell time mapping
   double gear_ratio = 1.0;    ///< motor turns per turn of q_i
+  /// Where several recordings stand one behind the other: the module time at which each begins.
+  /// Empty for one. Each has a zero of the load cell of its own.
+  std::vector<double> part_starts_s;
 };
 
 }  // namespace searig::estimator

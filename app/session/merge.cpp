@@ -80,6 +80,7 @@ Merged merge(const std::vector<const Session*>& sessions) {
     out.signals.clock_ci95_s = std::max(out.signals.clock_ci95_s, from.clock_ci95_s);
     const double end_s = from.module.t_s.back() + shift_s;
     out.parts.push_back({session->recording.name, next_s, end_s});
+    out.signals.part_starts_s.push_back(next_s);
     next_s = end_s + gap_between_s;
   }
   out.signals.gear_ratio = sessions.front()->signals.gear_ratio;

@@ -127,23 +127,26 @@ Eigen::MatrixXd Bench::nuisances() const {
   const Experiment& e = experiment_;
   const Motion& m = e.motion;
   const Eigen::Index split = e.loadcell_rows(), rows = e.rows();
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(total_rows(), 1 + prior_rows);
-  out.col(0).head(e.has_spring() ? split : rows).setOnes();  // the load cell's offset
+  const auto offsets = Eigen::Index(e.part_starts_s.size());
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(total_rows(), offsets + prior_count);
+  for (Eigen::Index i = 0; i < (e.has_spring() ? split : rows); ++i)
+    out(i, Eigen::Index(e.part(i))) = 1.0;  // the load cell's offset
+  auto held = out.rightCols(prior_count);
   if (e.has_spring()) {
     const double w = e.loadcell_width_s;
     const double sd[4] = {e.clock_sd_s, w * w / 8.0, w * w * w / 24.0, w * w * w * w / 128.0};
     const Eigen::MatrixXd d = derivatives(m.t, e.loadcell_t, w, torque_);
-    for (int i = 0; i < 4; ++i) out.col(1 + i).head(split) = d.col(i) * sd[i];
+    for (int i = 0; i < 4; ++i) held.col(i).head(split) = d.col(i) * sd[i];
   }
   if (e.has_drive()) {
     const double step = m.t.back() / double(m.size() - 1);
     const Eigen::VectorXd torque = e.has_spring() ? torque_ : as_array(m.spring_nm).matrix();
     const Eigen::MatrixXd d = derivatives(m.t, e.drive_t, e.drive_width_s, torque);
-    out.col(5).segment(split, e.drive_rows()) = d.col(0) * 0.1 * step;
-    out.col(6).segment(split, e.drive_rows()) = d.col(1) * step * step;
+    held.col(4).segment(split, e.drive_rows()) = d.col(0) * 0.1 * step;
+    held.col(5).segment(split, e.drive_rows()) = d.col(1) * step * step;
   }
-  for (Eigen::Index i = 0; i < prior_rows; ++i)  // unit prior: coefficients count in sd's
-    if (out.col(1 + i).squaredNorm() > 0) out(rows + i, 1 + i) = 1.0;
+  for (Eigen::Index i = 0; i < prior_count; ++i)  // unit prior: coefficients count in sd's
+    if (held.col(i).squaredNorm() > 0) held(rows + i, i) = 1.0;
   return out;
 }
 
@@ -251,7 +254,7 @@ Fit Bench::fit(const Hypothesis& hypothesis) const {
   for (int round = 0; round < 3; ++round) {
     out.solution = solve(out.free_columns, out.free_right);
     bool held = false;
-    for (Eigen::Index i = out.columns.cols() - prior_rows; i < out.columns.cols(); ++i) {
+    for (Eigen::Index i = out.columns.cols() - prior_count; i < out.columns.cols(); ++i) {
       if (fixed[i] != 0.0 || std::abs(out.solution.coefficients[i]) <= nuisance_bound) continue;
       fixed[i] = std::copysign(nuisance_bound, out.solution.coefficients[i]);
       out.free_right -= out.columns.col(i) * fixed[i];

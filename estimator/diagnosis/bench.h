@@ -50,7 +50,7 @@ struct Fit {
   }
 };
 
-/// Nuisances, always refitted: the load cell's offset; its delay within what the clock map leaves
+/// Nuisances, always refitted: the load cell's offset, one per part; its delay within what the clock map leaves
 /// open; the shape of its averaging; a small skew and width between current and angles.
 class Bench {
  public:
@@ -83,13 +83,14 @@ class Bench {
   /// Nuisance columns in N*m, stacked with their prior rows.
   const Eigen::MatrixXd& raw_nuisances() const { return raw_nuisance_; }
   Eigen::Index nuisance_count() const { return raw_nuisance_.cols(); }
-  Eigen::Index total_rows() const { return experiment_.rows() + prior_rows; }
+  /// The last of them: what a prior holds, in standard deviations of it.
+  static constexpr Eigen::Index prior_count = 6;
+  Eigen::Index total_rows() const { return experiment_.rows() + prior_count; }
 
   /// Blocks of about `seconds`; -1 for prior rows.
   std::vector<int> blocks(double seconds = 10.0) const;
 
  private:
-  static constexpr Eigen::Index prior_rows = 6;
   static constexpr double nuisance_bound = 2.2;  // standard deviations of the prior
 
   Eigen::MatrixXd nuisances() const;

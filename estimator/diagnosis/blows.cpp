@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "estimator/diagnosis/locate.h"
-#include "estimator/diagnosis/order.h"
+#include "estimator/order.h"
 #include "estimator/physics/single_amplitude.h"
 
 namespace searig::estimator {

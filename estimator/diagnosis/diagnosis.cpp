@@ -43,8 +43,8 @@ class Diagnostician {
     const Account account = find_account(bench_, search_, given_, tell);
     out_.notes = account.switched_off;
     tell("proving it on held-out blocks", 0.8);
-    prove(account);
-    const double zero_nm = state_findings(bench_, account, given_, atoms_.size(), out_);
+    const PathResiduals after = prove(account);
+    const double zero_nm = state_findings(bench_, account, after, given_, atoms_.size(), out_);
     out_.verdict = verdict(zero_nm);
     return std::move(out_);
   }
@@ -61,7 +61,8 @@ class Diagnostician {
     return out;
   }
 
-  void prove(const Account& account) {
+  /// Returns what the final hypothesis leaves on held-out blocks.
+  PathResiduals prove(const Account& account) {
     const Experiment& e = bench_.experiment();
     const PathResiduals before = heldout_residuals(bench_, account.base.hypothesis);
     const PathResiduals after = heldout_residuals(bench_, account.final.hypothesis);
@@ -89,6 +90,7 @@ class Diagnostician {
                    keep(before.drive),
                    keep(after.drive)};
     out_.map = map_of(bench_, dense_, account.base.hypothesis, account.final.hypothesis);
+    return after;
   }
 
   double usable_rms(const Eigen::VectorXd& raw, Eigen::Index from, Eigen::Index to) const {

@@ -40,19 +40,39 @@ void withdraw_contradicted(const Account& account, Diagnosis& out) {
   });
 }
 
+namespace {
+
+/// The offset of the load cell that stands out most, of those of its parts.
+struct LoadcellZero {
+  double nm = 0.0, tolerance_nm = 0.0;  // three standard deviations
+};
+
+LoadcellZero loadcell_zero(const Bench& bench, const Solution& solution) {
+  const Eigen::Index end = solution.coefficients.size() - Bench::prior_count;
+  const Eigen::Index begin = solution.coefficients.size() - bench.nuisance_count();
+  LoadcellZero out;
+  double most = -1.0;
+  for (Eigen::Index i = begin; i < end; ++i) {
+    const double nm = solution.coefficients[i], sd = solution.sd[i];
+    if (std::abs(nm) / std::max(sd, 1e-30) <= most) continue;
+    most = std::abs(nm) / std::max(sd, 1e-30);
+    out = {nm, 3.0 * sd};
+  }
+  return out;
+}
+
+}  // namespace
+
 double settle_offsets(const Bench& bench, const Hypothesis& final, const Fit& fit, Diagnosis& out) {
   const auto found = std::ranges::find(out.findings, "drive.current_offset", &Finding::effect);
-  const Eigen::Index zero = fit.columns.cols() - bench.nuisance_count();
-  const double loadcell = fit.solution.coefficients[zero];
-  const double loadcell_sd = 3.0 * fit.solution.sd[zero];
-  const double zero_nm =
-      std::abs(loadcell) > std::max(loadcell_sd, 0.003 * bench.experiment().torque_rms) ? loadcell
-                                                                                        : 0.0;
+  const auto [loadcell, loadcell_tolerance] = loadcell_zero(bench, fit.solution);
+  const double least = std::max(loadcell_tolerance, 0.003 * bench.experiment().torque_rms);
+  const double zero_nm = std::abs(loadcell) > least ? loadcell : 0.0;
   if (found == out.findings.end()) return zero_nm;
   double drive = 0.0;
   for (std::size_t i = 0; i < final.size(); ++i)
     if (final[i].effect && final[i].effect->name() == found->effect) drive = fit.amplitudes(i)[0];
-  const double tolerance = std::max(loadcell_sd, 0.15 * std::abs(drive));
+  const double tolerance = std::max(loadcell_tolerance, 0.15 * std::abs(drive));
   if (std::abs(loadcell) <= tolerance) return zero_nm;
   const bool deflection = std::abs(loadcell - drive) <= tolerance;
   out.findings.erase(found);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "estimator/diagnosis/order.h"
+#include "estimator/order.h"
 #include "estimator/model/predict.h"
 #include "estimator/physics/single_amplitude.h"
 
@@ -14,18 +14,12 @@ namespace {
 constexpr double half_width_s = 0.024;  // of the differentiator
 constexpr double rate_limit_hz = 300.0;
 constexpr double edge_s = 0.1;
+constexpr double shortest_part_s = 25.0;  // a zero must outlast the blocks that are held out
 constexpr double loadcell_limit_hz = 100.0;  // faster load cells: every n-th sample, as measured
 
 double range(const std::vector<double>& x) {
   const auto [low, high] = std::ranges::minmax_element(x);
   return x.empty() ? 0.0 : *high - *low;
-}
-
-double typical_step(const std::vector<double>& t) {
-  if (t.size() < 2) return 1.0;
-  std::vector<double> step(t.size() - 1);
-  for (std::size_t i = 0; i + 1 < t.size(); ++i) step[i] = t[i + 1] - t[i];
-  return median(std::move(step));
 }
 
 void thin_out(Motion& m, std::size_t every) {
@@ -90,7 +84,7 @@ std::vector<bool> moving(const Motion& m, const std::vector<double>& at, double 
 
 void lay_loadcell_rows(Experiment& e, const Signals& s) {
   const auto every = std::max<std::size_t>(
-      1, std::size_t(1.0 / (typical_step(s.loadcell.t_s) * loadcell_limit_hz)));
+      1, std::size_t(1.0 / (median_step(s.loadcell.t_s) * loadcell_limit_hz)));
   std::vector<double> torque;
   for (std::size_t i = 0; i < s.loadcell.t_s.size(); i += every) {
     e.loadcell_t.push_back(s.loadcell.t_s[i] - e.start_s);
@@ -99,7 +93,7 @@ void lay_loadcell_rows(Experiment& e, const Signals& s) {
   const auto n = Eigen::Index(torque.size());
   e.loadcell_nm = Eigen::Map<const Eigen::VectorXd>(torque.data(), n);
   e.torque_rms = std::sqrt(e.loadcell_nm.squaredNorm() / double(std::max<Eigen::Index>(n, 1)));
-  e.loadcell_width_s = std::min(0.02, typical_step(e.loadcell_t));
+  e.loadcell_width_s = std::min(0.02, median_step(e.loadcell_t));
   e.at_loadcell = Sampler(e.motion.t, e.loadcell_t, e.loadcell_width_s);
 }
 
@@ -122,7 +116,7 @@ void guess_load(Experiment& e, const LoadcellSignals& loadcell) {
 void lay_drive_rows(Experiment& e) {
   if (!e.motion.has_drive()) return;
   if (e.motion.has_spring()) {
-    e.drive_width_s = std::max(0.02, 2.0 * typical_step(e.motion.t));
+    e.drive_width_s = std::max(0.02, 2.0 * median_step(e.motion.t));
     for (double t = edge_s; t < e.motion.t.back() - edge_s; t += e.drive_width_s)
       e.drive_t.push_back(t);
   } else {
@@ -170,7 +164,7 @@ void weigh_holds(Experiment& e, const ModuleSignals& module) {
 }
 
 void mark_usable(Experiment& e) {
-  const double gap_s = 5.0 * typical_step(e.motion.t);
+  const double gap_s = 5.0 * median_step(e.motion.t);
   const auto spike = spikes(e.loadcell_nm);
   if (e.has_spring()) {
     const auto covered = e.at_loadcell.covered(gap_s);
@@ -192,6 +186,11 @@ double Experiment::time(Eigen::Index row) const {
                                : drive_t[std::size_t(row - loadcell_rows())];
 }
 
+std::size_t Experiment::part(Eigen::Index row) const {
+  const auto after = std::ranges::upper_bound(part_starts_s, time(row));
+  return after == part_starts_s.begin() ? 0 : std::size_t(after - part_starts_s.begin()) - 1;
+}
+
 Experiment prepare(const Signals& signals, double smoothing_rad_s) {
   if (signals.module.t_s.size() < 100 || signals.loadcell.t_s.size() < 100)
     throw std::invalid_argument(
@@ -206,9 +205,13 @@ Experiment prepare(const Signals& signals, double smoothing_rad_s) {
   if (range(e.motion.q_o) < 0.1 * range(e.motion.theta))
     e.motion.q_o.clear(), e.motion.w_o.clear(), e.motion.a_o.clear();
   const auto every = std::max<std::size_t>(
-      1, std::size_t(std::lround(1.0 / (typical_step(e.motion.t) * rate_limit_hz))));
+      1, std::size_t(std::lround(1.0 / (median_step(e.motion.t) * rate_limit_hz))));
   average(e.motion.current, every);
   thin_out(e.motion, every);
+  for (const double start : signals.part_starts_s)
+    if (start - e.start_s >= e.part_starts_s.back() + shortest_part_s &&
+        start + shortest_part_s <= signals.module.t_s.back())
+      e.part_starts_s.push_back(start - e.start_s);
   e.clock_sd_s = signals.clock_ci95_s / 1.96;
   lay_loadcell_rows(e, signals);
   guess_load(e, signals.loadcell);

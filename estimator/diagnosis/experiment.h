@@ -30,6 +30,7 @@ struct Experiment {
   double loadcell_width_s = 0.02, drive_width_s = 0.02;  ///< averaging windows
   Sampler at_loadcell, at_drive;
 
+  std::vector<double> part_starts_s{0.0};  ///< times from which the load cell has another zero
   double clock_sd_s = 0.0;  ///< what the clock map leaves open, one standard deviation
   double torque_rms = 0.0;  ///< of the load cell
 
@@ -39,6 +40,7 @@ struct Experiment {
   Eigen::Index drive_rows() const { return Eigen::Index(drive_t.size()); }
   Eigen::Index rows() const { return loadcell_rows() + drive_rows(); }
   double time(Eigen::Index row) const;
+  std::size_t part(Eigen::Index row) const;  ///< which of part_starts_s the row belongs to
 };
 
 /// Below this input speed the current says nothing about torque: the train sticks (contract).

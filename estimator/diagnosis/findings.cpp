@@ -19,8 +19,31 @@ double share_removed(double before, double after, double floor) {
       1.0);
 }
 
-Finding finding(const Bench& bench, const Account& account, const Assessment& a,
-                const std::vector<ParameterEstimate>& parameters, const Diagnosis& out) {
+/// Held-out rms of one path without and with a piece, and the share of the mismatch it removes.
+struct Removed {
+  double before_nm = 0.0, after_nm = 0.0, share = 0.0;
+};
+
+Removed removed_from(const Eigen::VectorXd& before, const Eigen::VectorXd& after,
+                     const std::optional<PathErrors>& path) {
+  if (!path) return {};
+  const double b = rms_of(before), a = rms_of(after);
+  return {b, a, share_removed(b, a, std::min(path->after, path->noise_floor))};
+}
+
+/// In the path that the piece enters; what the rig does enters both, and counts where it does more.
+Removed removed(const PathResiduals& before, const PathResiduals& after, Path path,
+                const Diagnosis& out) {
+  const Removed spring = removed_from(before.spring, after.spring, out.spring);
+  const Removed drive = removed_from(before.drive, after.drive, out.drive);
+  if (path == Path::drive || !out.spring) return drive;
+  if (path == Path::spring || !out.drive) return spring;
+  return drive.share > spring.share ? drive : spring;
+}
+
+Finding finding(const Bench& bench, const Account& account, const PathResiduals& after,
+                const Assessment& a, const std::vector<ParameterEstimate>& parameters,
+                const Diagnosis& out) {
   const Piece& piece = account.final.hypothesis[a.piece];
   Finding f;
   f.effect = piece.effect->name();
@@ -30,14 +53,10 @@ Finding finding(const Bench& bench, const Account& account, const Assessment& a,
     if (p.effect == f.effect) f.parameters.push_back(p);
   f.located = locate(bench, a.without, account.final.hypothesis, piece.effect->path(),
                      piece.effect->about().channel);
-  const PathResiduals without = heldout_residuals(bench, a.without);
-  const PathResiduals with = heldout_residuals(bench, account.final.hypothesis);
-  const bool drive = piece.effect->path() == Path::drive || !out.spring;
-  f.before_nm = rms_of(drive ? without.drive : without.spring);
-  f.after_nm = rms_of(drive ? with.drive : with.spring);
-  const PathErrors& whole = drive ? *out.drive : *out.spring;
-  f.located.share =
-      share_removed(f.before_nm, f.after_nm, std::min(whole.after, whole.noise_floor));
+  const Removed gone =
+      removed(heldout_residuals(bench, a.without), after, piece.effect->path(), out);
+  f.before_nm = gone.before_nm, f.after_nm = gone.after_nm;
+  f.located.share = gone.share;
   f.next_experiment = piece.effect->about().separated_by;
   return f;
 }
@@ -55,7 +74,8 @@ void place(const Atom& atom, double start_s, Located& located) {
 
 /// Atoms in the final hypothesis are the mismatch that has no name.
 std::optional<Unexplained> nameless(const Bench& bench, const Hypothesis& final,
-                                    std::size_t atoms_tried) {
+                                    const PathResiduals& after, std::size_t atoms_tried,
+                                    const Diagnosis& out) {
   Hypothesis without = final;
   std::vector<const Atom*> atoms;
   std::erase_if(without, [&](const Piece& p) {
@@ -68,10 +88,7 @@ std::optional<Unexplained> nameless(const Bench& bench, const Hypothesis& final,
   u.what = first.what;
   u.located = locate(bench, without, final, first.path, first.channel);
   place(first, bench.experiment().start_s, u.located);
-  const bool drive = first.path == Path::drive || !bench.experiment().has_spring();
-  const auto before = heldout_residuals(bench, without), after = heldout_residuals(bench, final);
-  u.located.share = share_removed(rms_of(drive ? before.drive : before.spring),
-                                  rms_of(drive ? after.drive : after.spring), 0.0);
+  u.located.share = removed(heldout_residuals(bench, without), after, first.path, out).share;
   // Bonferroni over all atoms that were tried, each one degree of freedom.
   const double gain = bench.fit(without).solution.sse - bench.fit(final).solution.sse;
   u.p_value = std::min(1.0, double(atoms_tried) * std::erfc(std::sqrt(std::max(0.0, gain) / 2.0)));
@@ -80,18 +97,18 @@ std::optional<Unexplained> nameless(const Bench& bench, const Hypothesis& final,
 
 }  // namespace
 
-double state_findings(const Bench& bench, const Account& account, const Model& given,
-                      std::size_t atoms, Diagnosis& out) {
+double state_findings(const Bench& bench, const Account& account, const PathResiduals& after,
+                      const Model& given, std::size_t atoms, Diagnosis& out) {
   const Hypothesis& final = account.final.hypothesis;
   const Fit fit = bench.fit(final);
   out.extended = model_of(bench, final, fit, fit.solution.coefficients, given);
   const auto parameters = estimate_parameters(bench, final, fit, given);
   for (const auto& a : account.assessments)
-    out.findings.push_back(finding(bench, account, a, parameters, out));
+    out.findings.push_back(finding(bench, account, after, a, parameters, out));
   std::ranges::stable_sort(out.findings, std::greater{}, &Finding::probability);
   for (const auto& p : parameters)
     if (given.has(p.effect)) out.numbers.push_back(p);
-  out.unexplained = nameless(bench, final, atoms);
+  out.unexplained = nameless(bench, final, after, atoms, out);
   for (const auto look : {wanders, blows, loud_while})
     if (!out.unexplained) out.unexplained = look(bench, final);
   doubt_beside_unexplained(out);

@@ -3,12 +3,13 @@
 
 #include "estimator/diagnosis/account.h"
 #include "estimator/diagnosis/diagnosis.h"
+#include "estimator/diagnosis/heldout.h"
 
 namespace searig::estimator {
 
-/// Fills findings, unexplained, undecidable, numbers and the extended model. `out` has its path
-/// errors already. Returns the load cell's zero in N*m where it is one, else 0.
-double state_findings(const Bench& bench, const Account& account, const Model& given,
-                      std::size_t atoms, Diagnosis& out);
+/// Fills findings, unexplained, undecidable, numbers and the extended model. `after` is what the
+/// final hypothesis leaves on held-out blocks; `out` has its path errors already. Returns the load cell's zero in N*m where it is one, else 0.
+double state_findings(const Bench& bench, const Account& account, const PathResiduals& after,
+                      const Model& given, std::size_t atoms, Diagnosis& out);
 
 }  // namespace searig::estimator

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimator/diagnosis/order.h"
+#include "estimator/order.h"
 
 namespace searig::estimator {
 namespace {

@@ -1,12 +1,14 @@
 #include "estimator/diagnosis/sampler.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace searig::estimator {
 
 Sampler::Sampler(const std::vector<double>& t, const std::vector<double>& centres, double width_s,
                  double shift_s)
     : t_(Eigen::Map<const Eigen::VectorXd>(t.data(), Eigen::Index(t.size()))) {
+  if (t.size() < 2) throw std::invalid_argument("a sampler needs two samples");
   const auto place = [&](double at) {
     const auto after = std::ranges::upper_bound(t, at);
     const auto sample =

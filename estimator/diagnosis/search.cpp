@@ -73,7 +73,7 @@ double Search::deviance(const Hypothesis& hypothesis, const Fit& fit) const {
   const Eigen::VectorXd& residual = fit.solution.residual;
   const Eigen::Index rows = bench_.experiment().rows(), split = bench_.whitening().split();
   const double amperes = gain_ / motor_gain(bench_, hypothesis, fit);
-  double out = fit.solution.coefficients.tail(bench_.nuisance_count() - 1).squaredNorm();
+  double out = fit.solution.coefficients.tail(Bench::prior_count).squaredNorm();
   for (Eigen::Index i = 0; i < rows; ++i)
     out += huber(i < split ? residual[i] : residual[i] * amperes);
   return out;

@@ -8,20 +8,13 @@
 
 #include "estimator/evaluation/online_result.h"
 #include "estimator/model/predict.h"
+#include "estimator/order.h"
 
 namespace searig::estimator {
 
 namespace {
 
 constexpr double longest_gap = 10;  // telemetry intervals over which to interpolate
-
-double median_interval(const std::vector<double>& t) {
-  std::vector<double> intervals(t.size());
-  std::adjacent_difference(t.begin(), t.end(), intervals.begin());
-  const auto middle = intervals.begin() + std::ssize(intervals) / 2;
-  std::nth_element(intervals.begin() + 1, middle, intervals.end());
-  return *middle;
-}
 
 // Whether t is one of the telemetry's times or lies between two that are close to each other.
 bool covered(const std::vector<double>& telemetry, double t, double longest_s) {
@@ -34,7 +27,7 @@ bool covered(const std::vector<double>& telemetry, double t, double longest_s) {
 Signals where_covered(Signals signals) {
   const auto& telemetry = signals.module.t_s;
   if (telemetry.size() < 2) return signals;
-  const double longest_s = longest_gap * median_interval(telemetry);
+  const double longest_s = longest_gap * median_step(telemetry);
   auto& [t, torque] = signals.loadcell;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < t.size(); ++i) {

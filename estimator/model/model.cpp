@@ -16,6 +16,14 @@ namespace {
                               std::to_string(node.source().begin.line) + ": " + what);
 }
 
+std::string shortest(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  std::string out(text, end);
+  if (out.find_first_of(".en") == std::string::npos) out += ".0";  // TOML tells 1 from 1.0
+  return out;
+}
+
 Term parse_term(const std::string& effect, const toml::table& table, std::string_view file) {
   const Effect* known = find_effect(effect);
   if (!known) refuse(file, table, "no effect is called [" + effect + "]");
@@ -25,22 +33,21 @@ Term parse_term(const std::string& effect, const toml::table& table, std::string
     const auto value = node.value<double>();
     if (!value || !std::isfinite(*value))
       refuse(file, node, "[" + effect + "] " + parameter + " must be a finite number");
-    if (!known->has_parameter(parameter))
+    const auto p = std::ranges::find(known->parameters(), parameter, &Parameter::name);
+    if (p == known->parameters().end())
       refuse(file, node, "[" + effect + "] has no parameter " + parameter);
+    if (*value < p->lower || *value > p->upper)
+      refuse(file, node,
+             "[" + effect + "] " + parameter + " = " + shortest(*value) + " is outside " +
+                 shortest(p->lower) + " to " + shortest(p->upper));
     term.parameters[parameter] = *value;
   }
   for (const auto& p : known->parameters())
     if (!p.fallback && !term.parameters.contains(p.name))
       refuse(file, table, "[" + effect + "] lacks " + p.name);
+  if (const auto complaint = known->complaint(term); !complaint.empty())
+    refuse(file, table, "[" + effect + "] " + complaint);
   return term;
-}
-
-std::string shortest(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  std::string out(text, end);
-  if (out.find_first_of(".en") == std::string::npos) out += ".0";  // TOML tells 1 from 1.0
-  return out;
 }
 
 }  // namespace

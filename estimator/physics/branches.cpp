@@ -43,6 +43,21 @@ std::vector<double> Branches::shape(const Term& term) const {
   return out;
 }
 
+std::string Branches::complaint(const Term& term) const {
+  bool ended = false;
+  for (std::size_t i = 0; i < parameters().size(); i += 2) {
+    const auto &amplitude = parameters()[i].name, &shape = parameters()[i + 1].name;
+    const bool has_amplitude = term.parameters.contains(amplitude);
+    const bool has_shape = term.parameters.contains(shape);
+    if (has_amplitude != has_shape)
+      return has_shape ? "has " + shape + " but no " + amplitude
+                       : "has " + amplitude + " but no " + shape;
+    if (has_amplitude && ended) return "has " + amplitude + " but not the branch before it";
+    ended = ended || !has_amplitude;
+  }
+  return {};
+}
+
 Term Branches::term(const Eigen::VectorXd& amplitudes, std::span<const double> shape, const Model&,
                     const Motion&) const {
   Term out{name(), {}};

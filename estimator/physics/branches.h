@@ -13,6 +13,7 @@ class Branches : public Effect {
 
   Eigen::VectorXd amplitudes(const Term& term, const Model& model) const override;
   std::vector<double> shape(const Term& term) const override;
+  std::string complaint(const Term& term) const override;
   Term term(const Eigen::VectorXd& amplitudes, std::span<const double> shape, const Model& model,
             const Motion& motion) const override;
   Eigen::MatrixXd features(const Motion& motion, std::span<const double> shape) const override;

@@ -70,6 +70,8 @@ class Effect {
   /// effects are relative to (k, efficiency*torque_constant).
   virtual Eigen::VectorXd amplitudes(const Term& term, const Model& model) const = 0;
   virtual std::vector<double> shape(const Term&) const { return {}; }
+  /// What is wrong with the term's parameters taken together, as the end of a sentence; else empty.
+  virtual std::string complaint(const Term&) const { return {}; }
   virtual Term term(const Eigen::VectorXd& amplitudes, std::span<const double> shape,
                     const Model& model, const Motion& motion) const = 0;
 

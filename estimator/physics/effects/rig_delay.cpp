@@ -30,6 +30,7 @@ class RigDelay final : public Observation {
 
   Eigen::VectorXd seen(const std::vector<double>& t, const Eigen::VectorXd& x,
                        double seconds) const override {
+    if (x.size() < 2) return x;
     Eigen::VectorXd out(x.size());
     Eigen::Index j = 0;
     const Eigen::Index last = x.size() - 1;

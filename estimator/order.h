@@ -1,4 +1,4 @@
-// Order statistics that several steps share.
+// Order statistics that several rooms share.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,14 @@ inline double median(std::vector<double> x) {
   const auto middle = x.begin() + std::ptrdiff_t(x.size() / 2);
   std::ranges::nth_element(x, middle);
   return *middle;
+}
+
+/// The usual time between samples, s; 1 where there are less than two.
+inline double median_step(const std::vector<double>& t) {
+  if (t.size() < 2) return 1.0;
+  std::vector<double> step(t.size() - 1);
+  for (std::size_t i = 0; i + 1 < t.size(); ++i) step[i] = t[i + 1] - t[i];
+  return median(std::move(step));
 }
 
 }  // namespace searig::estimator
