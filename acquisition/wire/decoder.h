@@ -52,35 +52,40 @@ class Decoder {
   /// have restarted, or be another.
   void gap();
 
-  const WireCounters& counters() const;
+  const WireCounters& counters() const { return counters_; }
 
  private:
   static constexpr std::size_t kTypes = 4;  ///< that devices send: 1 to 4
 
   void take(const Frame& frame, std::vector<Message>& messages);
+  bool seen(const Frame& frame) const;
   bool follows(const Frame& frame) const;
-  bool of_earlier_start(const Frame& frame) const;
   void wait_or_begin(const Frame& frame, std::vector<Message>& messages);
   void begin_run(const Frame& frame, std::vector<Message>& messages);
   void hand_on(const Frame& frame, std::vector<Message>& messages);
   void count_place(const Frame& frame);
-  void count_sample(std::uint16_t overruns);
+  void count_content(const Message& message);
 
   Framing framing_;
   FrameParser parser_;
-  std::vector<Frame> frames_;  ///< kept for its memory only
-  std::optional<Frame> waiting_;
+  std::vector<Frame> frames_;     ///< kept for its memory only
+  std::optional<Frame> waiting_;  ///< did not follow; see above
 
-  bool running_ = false;  ///< whether there is a run
-  bool after_gap_ = false;
+  bool running_ = false;    ///< whether there is a run to follow
+  bool after_gap_ = false;  ///< and the line was cut since its last frame
   std::uint16_t boot_ = 0;
   std::uint32_t run_ = 0;
   std::deque<std::uint16_t> earlier_boots_;
   UnwrappedTime time_;
-  std::array<SequenceWindow, kTypes> windows_;
-  std::array<bool, kTypes> begun_{};  ///< whether the start of a type's sequence is known
   std::optional<std::uint16_t> overruns_;
-  mutable WireCounters counters_;
+
+  struct Sequence {
+    SequenceWindow window;
+    bool begun = false;      ///< whether it is known which number comes next
+    bool after_gap = false;  ///< the line was cut since the last of this type
+  };
+  std::array<Sequence, kTypes> sequences_;
+  WireCounters counters_;
 };
 
 }  // namespace searig::acquisition
