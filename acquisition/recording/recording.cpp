@@ -2,6 +2,7 @@
 
 #include "acquisition/error.h"
 #include "acquisition/recording/mapping.h"
+#include "acquisition/recording/mcap/read_mcap.h"
 #include "acquisition/recording/stream_reader.h"
 
 namespace searig::acquisition {
@@ -19,7 +20,7 @@ fs::path toml_of(const fs::path& recording) {
   if (!fs::is_directory(status)) {
     if (recording.extension() == ".toml") return recording;
     throw InputError(recording.string() +
-                     ": is no recording; a folder with a recording.toml is one.");
+                     ": is no recording; an .mcap file or a folder with a recording.toml is one.");
   }
   const fs::path toml = recording / "recording.toml";
   if (!fs::exists(toml, error))
@@ -53,6 +54,7 @@ const std::vector<double>& Stream::channel(std::string_view wanted) const {
 }
 
 Recording read_recording(const fs::path& folder) {
+  if (mcap::is_mcap(folder)) return mcap::read_mcap(folder);
   const fs::path toml = toml_of(folder);
   const RecordingMapping mapping = read_mapping(toml);
 

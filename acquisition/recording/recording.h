@@ -49,6 +49,15 @@ struct Stream {
   const std::vector<double>& channel(std::string_view name) const;
 };
 
+/// Something that befell a device or the recording itself while it ran.
+struct Event {
+  double host_s = 0.0;
+  std::string device;  ///< "module", "loadcell", or empty
+  std::string kind;    ///< "unplugged", "reconnected", "restart", "garbled" ...
+  std::string text;    ///< one sentence for people
+  bool operator==(const Event&) const = default;
+};
+
 struct Recording {
   std::string name;  ///< folder or file name without its path
   std::filesystem::path path;
@@ -57,12 +66,18 @@ struct Recording {
   double gear_ratio = 1.0;
   double lever_arm_m = 1.0;
   bool one_clock = false;  ///< both streams already share a clock
+
+  // What only a recording in one file (.mcap) has.
+  std::vector<Event> events;
+  std::string model_toml;  ///< the simulation that its owner believes in, or empty
+  std::string cut_off;     ///< one sentence where the file ends before its end, or empty
 };
 
-/// Reads a recording folder, or the recording.toml in it (see the contract and, for mappings of
-/// other CSV files, recording/mapping.h). Damaged rows are counted; what is damage and what is an
-/// unusable file says recording/csv.h for the rows and recording/stream_reader.h for the clock.
-/// Throws InputError: one sentence with file, line and column.
+/// Reads a recording: an .mcap file (recording/mcap/), a folder, or the recording.toml in it (see
+/// the contract and, for mappings of other CSV files, recording/mapping.h). Damaged rows are
+/// counted; what is damage and what is an unusable file says recording/csv.h for the rows and
+/// recording/stream_reader.h for the clock. Throws InputError: one sentence with file, line and
+/// column.
 Recording read_recording(const std::filesystem::path& folder);
 
 }  // namespace searig::acquisition

@@ -1,0 +1,33 @@
+// Messages that are rows of numbers, and a stream made of them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "acquisition/recording/mcap/settings.h"
+#include "acquisition/recording/recording.h"
+
+namespace searig::acquisition::mcap {
+
+/// Rows as they came; columns[i] belongs to names[i].
+struct Rows {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> columns;
+  std::size_t garbled = 0;  ///< rows that hold something else than finite numbers
+
+  void take(std::string_view message);
+  const std::vector<double>* find(std::string_view name) const;
+  std::size_t size() const { return columns.empty() ? 0 : columns.front().size(); }
+};
+
+/// The rows as a stream. Rows that were sorted before they were written stay as they are; of a
+/// recorded one they are put in order of `run` (the device's starts) and device time, as datagrams
+/// may overtake each other, and the last counters say what was lost on the way.
+Stream stream_of(const std::string& name, const Rows& rows, const Rows& counters,
+                 const StreamSettings& settings);
+
+/// Throws InputError where a stream has no samples, or none that say anything.
+void refuse_unusable(const Recording& recording, const std::string& file);
+
+}  // namespace searig::acquisition::mcap
