@@ -11,12 +11,11 @@ namespace wire {
 inline uint16_t crc16(const uint8_t* bytes, size_t size) {
   uint16_t crc = 0xFFFF;
   for (size_t i = 0; i < size; ++i) {
-    crc = static_cast<uint16_t>(crc ^ static_cast<uint16_t>(bytes[i] << 8));
-    for (uint8_t bit = 0; bit < 8; ++bit) {
-      const bool out = (crc & 0x8000) != 0;
-      crc = static_cast<uint16_t>(crc << 1);
-      if (out) crc = static_cast<uint16_t>(crc ^ 0x1021);
-    }
+    // Eight bits at once: x is what leaves at the top, and the polynomial has three further terms.
+    uint8_t x = static_cast<uint8_t>((crc >> 8) ^ bytes[i]);
+    x = static_cast<uint8_t>(x ^ (x >> 4));
+    crc = static_cast<uint16_t>((crc << 8) ^ (static_cast<uint16_t>(x) << 12) ^
+                                (static_cast<uint16_t>(x) << 5) ^ x);
   }
   return crc;
 }
