@@ -21,7 +21,7 @@ struct Arrival {
     connected,    ///< opened for the first time
     unplugged,    ///< the device or its line is gone; bytes before and after do not join
     reconnected,  ///< opened again
-    unusable      ///< opening failed for another reason than absence; said once per reason
+    unusable      ///< cannot be opened now (absent, busy, not allowed); tried on; said once
   };
   Kind kind = Kind::bytes;
   double host_s = 0.0;              ///< host_now_s() when it was read or noticed

@@ -68,7 +68,7 @@ void Decoder::take(const Frame& frame, std::vector<Message>& messages) {
     if (waiting_) ++counters_.implausible;
     waiting_.reset();
     hand_on(frame, messages);
-  } else if (running_ && !after_gap_ && seen(frame)) {
+  } else if (running_ && !may_be_another() && seen(frame)) {
     ++counters_.doubled;
   } else {
     wait_or_begin(frame, messages);

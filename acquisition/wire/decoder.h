@@ -58,6 +58,8 @@ class Decoder {
   static constexpr std::size_t kTypes = 4;  ///< that devices send: 1 to 4
 
   void take(const Frame& frame, std::vector<Message>& messages);
+  /// Behind a cut cable there may be another device, whose numbers mean nothing here.
+  bool may_be_another() const { return after_gap_ && framing_ == Framing::stream; }
   bool seen(const Frame& frame) const;
   bool follows(const Frame& frame) const;
   void wait_or_begin(const Frame& frame, std::vector<Message>& messages);
