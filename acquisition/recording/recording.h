@@ -68,6 +68,7 @@ struct Recording {
   bool one_clock = false;  ///< both streams already share a clock
 
   // What only a recording in one file (.mcap) has.
+  std::string recorded;  ///< by which program, when and from which devices
   std::vector<Event> events;
   std::string model_toml;  ///< the simulation that its owner believes in, or empty
   std::string cut_off;     ///< one sentence where the file ends before its end, or empty

@@ -5,6 +5,8 @@
 
 namespace searig::app {
 
+void add_import(CLI::App& app);
+void add_recover(CLI::App& app);
 void add_info(CLI::App& app);
 void add_sync(CLI::App& app);
 void add_export(CLI::App& app);

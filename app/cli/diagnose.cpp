@@ -142,8 +142,9 @@ void add_diagnose(CLI::App& app) {
       "diagnose", "Where recording and simulation differ, and what physics is missing");
   const auto options = std::make_shared<Options>();
   command
-      ->add_option("RECORDING", options->recordings,
-                   "Folders with a recording.toml; several are explained by one model")
+      ->add_option(
+          "RECORDING", options->recordings,
+          "Folders with a recording.toml, or .mcap files; several are explained by one model")
       ->required();
   command->add_option("--model", options->model,
                       "The simulation, instead of the recording's own model.toml");

@@ -42,6 +42,7 @@ struct Outcome {
 
 std::string name_of(const std::string& recording) {
   const std::filesystem::path path = std::filesystem::path(recording).lexically_normal();
+  if (path.extension() == ".mcap") return path.stem().string();
   return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
 }
 
@@ -52,6 +53,7 @@ Outcome evaluate_one(const std::string& recording, const Options& options) {
     const auto model = find_model(recording, options.model);
     out.evaluation = evaluate_session(session, model, options.evaluation());
     out.notes = out.evaluation.notes;
+    if (!session.recording.cut_off.empty()) out.notes.push_back(session.recording.cut_off);
     if (!session.clock.trusted) {
       out.notes.push_back("the clocks are not to be trusted: " + session.clock.why);
     }
@@ -187,7 +189,9 @@ void add_evaluate(CLI::App& app) {
         return CLI::detail::lexical_cast(text, k) && k > 0 ? "" : "must be a number above 0";
       },
       "ABOVE 0");
-  command->add_option("RECORDING", options->recordings, "Folders with a recording.toml")
+  command
+      ->add_option("RECORDING", options->recordings,
+                   "Folders with a recording.toml, or .mcap files")
       ->required();
   command->add_option("--model", options->model, "Model to use instead of the recording's own");
   command

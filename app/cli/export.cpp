@@ -59,7 +59,8 @@ void run(const Options& options) {
 void add_export(CLI::App& app) {
   auto* command = app.add_subcommand("export", "Write a recording, on one clock, for others");
   const auto options = std::make_shared<Options>();
-  command->add_option("RECORDING", options->recording, "Folder with a recording.toml")->required();
+  command->add_option("RECORDING", options->recording, "A folder with a recording.toml, or .mcap")
+      ->required();
   command->add_option("--format", options->format, "csv")->check(CLI::IsMember({"csv"}));
   command->add_option("--out", options->out, "File, or folder to put it in (- for stdout)")
       ->required();

@@ -17,6 +17,8 @@ int main(int argc, char** argv) {
   add_simulate(app);
   add_effects(app);
   add_export(app);
+  add_import(app);
+  add_recover(app);
   add_desktop(app);
   app.footer("Example:\n  searig demo --seconds 30 --out out\n\nsearig COMMAND --help says more.");
 

@@ -31,6 +31,7 @@ void say(const acquisition::Recording& recording, const acquisition::ClockMap& m
               1e6 * (1.0 / map.rate - 1.0));
   std::printf("%s: %s\n", map.trusted ? "trusted" : "NOT TRUSTED", map.why.c_str());
   std::cout << stream_line(recording.module) << '\n' << stream_line(recording.loadcell) << '\n';
+  if (!recording.cut_off.empty()) std::cout << recording.cut_off << '\n';
 }
 
 void run(const Options& options) {
@@ -45,7 +46,8 @@ void run(const Options& options) {
 void add_sync(CLI::App& app) {
   auto* command = app.add_subcommand("sync", "Hold the load cell's clock against the module's");
   const auto options = std::make_shared<Options>();
-  command->add_option("RECORDING", options->recording, "Folder with a recording.toml")->required();
+  command->add_option("RECORDING", options->recording, "A folder with a recording.toml, or .mcap")
+      ->required();
   command->add_option("--json", options->json, "Write the answer for machines (- for stdout)");
   command->footer("Example:\n  searig sync my_recording --json sync.json");
   command->callback([options] { run(*options); });

@@ -15,6 +15,8 @@ Examined examine(const std::vector<const Session*>& sessions, std::optional<esti
   auto& notes = out.diagnosis.notes;
   notes.insert(notes.end(), merged.notes.begin(), merged.notes.end());
   for (const Session* session : sessions) {
+    if (const auto& cut_off = session->recording.cut_off; !cut_off.empty())
+      notes.push_back(session->recording.name + ": " + cut_off);
     if (!session->clock.trusted) {
       notes.push_back("the clocks of " + session->recording.name +
                       " are not to be trusted: " + session->clock.why);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "acquisition/clock/placed_rows.h"
+#include "acquisition/recording/mcap/read_mcap.h"
 #include "acquisition/recording/text_file.h"
 
 namespace searig::app {
@@ -88,6 +89,11 @@ std::optional<estimator::Model> find_model(const std::filesystem::path& recordin
     return estimator::parse_model(acquisition::read_text_file(file), file.string());
   };
   if (model_file) return read(*model_file);
+  if (acquisition::mcap::is_mcap(recording)) {
+    const std::string toml = acquisition::mcap::read_settings(recording).model_toml;
+    if (toml.empty()) return std::nullopt;
+    return estimator::parse_model(toml, recording.string() + ", its model");
+  }
   const std::filesystem::path folder =
       std::filesystem::is_directory(recording) ? recording : recording.parent_path();
   if (std::filesystem::exists(folder / "model.toml")) return read(folder / "model.toml");

@@ -94,6 +94,7 @@ std::string read_chunk(std::string_view content, Channels& known, Handler& handl
     if (opcode == Opcode::message) handler.message(parse_message(record).record);
     return true;
   });
+  handler.chunk_ended();
   return {};
 }
 

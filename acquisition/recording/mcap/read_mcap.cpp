@@ -97,6 +97,16 @@ class RawCollector : public Handler {
   std::map<std::uint16_t, std::string> devices_;
 };
 
+/// "Recorded 2026-11-22T01:05:03Z by searig 0.1.0 from sim: and sim:."
+std::string recorded_by(const Settings& settings) {
+  if (settings.started.empty()) return {};
+  const auto source = [](const StreamSettings& stream) {
+    return stream.source + (stream.device.empty() ? "" : " (" + stream.device + ")");
+  };
+  return "Recorded " + settings.started + " by " + settings.program + " from " +
+         source(settings.module) + " and " + source(settings.loadcell) + ".";
+}
+
 }  // namespace
 
 bool is_mcap(const std::filesystem::path& path) {
@@ -137,6 +147,7 @@ Recording recording_of(std::string_view bytes, const std::string& name) {
   recording.lever_arm_m = settings.lever_arm_m;
   recording.one_clock = settings.one_clock;
   recording.model_toml = settings.model_toml;
+  recording.recorded = recorded_by(settings);
   recording.events = std::move(found.events);
   recording.cut_off = cut_off(ending, bytes.size());
   recording.module = stream_of("module", found.module, found.module_counters, settings.module);

@@ -16,6 +16,7 @@ class Handler {
   /// Before the first message of the channel.
   virtual void channel(const Channel& channel, const Schema& schema) = 0;
   virtual void message(const Message& message) = 0;
+  virtual void chunk_ended() {}
   virtual void attachment(const Attachment&) {}
 };
 

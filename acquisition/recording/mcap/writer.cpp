@@ -25,13 +25,18 @@ void Writer::send(std::string_view bytes) {
 
 std::uint16_t Writer::add_channel(const std::string& topic, const std::string& schema_name,
                                   const std::string& schema_text, const Texts& metadata) {
-  const auto id = static_cast<std::uint16_t>(channels_.size() + 1);
-  schemas_.push_back({id, schema_name, "ros2msg", schema_text});
-  channels_.push_back({id, id, topic, "cdr", metadata});
+  return add_channel(Channel{0, 0, topic, "cdr", metadata},
+                     Schema{0, schema_name, "ros2msg", schema_text});
+}
+
+std::uint16_t Writer::add_channel(Channel channel, Schema schema) {
+  channel.id = channel.schema = schema.id = static_cast<std::uint16_t>(channels_.size() + 1);
+  schemas_.push_back(std::move(schema));
+  channels_.push_back(std::move(channel));
   sequence_.push_back(0);
   messages_.push_back(0);
   entries_.emplace_back();
-  return id;
+  return channels_.back().id;
 }
 
 void Writer::add(std::uint16_t channel, std::uint64_t log_time_ns, std::string_view data) {

@@ -26,6 +26,9 @@ class Writer {
   std::uint16_t add_channel(const std::string& topic, const std::string& schema_name,
                             const std::string& schema_text, const Texts& metadata = {});
 
+  /// A channel as another file has it; its id and its schema's are given anew.
+  std::uint16_t add_channel(Channel channel, Schema schema);
+
   void add(std::uint16_t channel, std::uint64_t log_time_ns, std::string_view data);
 
   std::size_t bytes_waiting() const { return records_.size(); }

@@ -5,6 +5,7 @@
 
 #include "acquisition/error.h"
 #include "acquisition/recording/mcap/read_mcap.h"
+#include "acquisition/recording/mcap/recover.h"
 #include "tests/acquisition/recording/mcap/small_file.h"
 
 namespace searig::acquisition::mcap {
@@ -92,6 +93,43 @@ TEST(Damage, AnySingleFlippedBitLeavesTheExactPrefix) {
   }
   // A flip is always noticed, whether or not it touched what was measured.
   EXPECT_EQ(unseen, 0u);
+}
+
+std::string recovered_from(std::string_view bytes) {
+  std::string out;
+  recover(bytes, "searig test", [&](std::string_view piece) { out.append(piece); });
+  return out;
+}
+
+TEST(Recover, MakesAWholeFileOfWhatLiesBeforeTheDamage) {
+  const SmallFile file;
+  for (std::size_t at = 0; at < file.bytes.size(); at += 7) {
+    std::string bytes = file.bytes;
+    bytes[at] = char(bytes[at] ^ 0x10);
+    const auto damaged = read_if_any(bytes);
+    const auto recovered = read_if_any(recovered_from(bytes));
+    ASSERT_EQ(damaged.has_value(), recovered.has_value()) << at;
+    if (!damaged) continue;
+    EXPECT_EQ(recovered->cut_off, "") << at;
+    expect_chunks(file, recovered, recovered->module.t_s.size() / 10);
+    EXPECT_EQ(recovered->module.t_s, damaged->module.t_s);
+    EXPECT_EQ(recovered->module.host_s, damaged->module.host_s);
+    EXPECT_EQ(recovered->events, damaged->events);
+  }
+}
+
+TEST(Recover, AWholeFileStaysAsItIs) {
+  const SmallFile file;
+  const std::string once = recovered_from(file.bytes);
+  EXPECT_EQ(once.size(), recovered_from(once).size());
+  const Recording before = recording_of(file.bytes, "a"), after = recording_of(once, "b");
+  EXPECT_EQ(after.loadcell.channel("counts"), before.loadcell.channel("counts"));
+}
+
+TEST(Recover, SendsNothingWhereThereIsNothing) {
+  EXPECT_EQ(recovered_from(""), "");
+  EXPECT_EQ(recovered_from("some text that is no MCAP file"), "");
+  EXPECT_EQ(recovered_from(SmallFile().bytes.substr(0, 100)), "");
 }
 
 }  // namespace
