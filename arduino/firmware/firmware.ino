@@ -3,6 +3,8 @@
 //
 // settings.h chooses the converter. Open this folder in the Arduino IDE, or build it with CMake.
 
+#include <avr/sleep.h>
+
 #include "line.h"
 #include "sensor.h"
 #include "settings.h"
@@ -90,7 +92,23 @@ static void answer(const Request& request) {
   identity_waits = true;
 }
 
+// Sleeps until the next interrupt: a byte from the host, the sensor, a tick, or the millisecond's.
+// What comes between the question and the sleep still ends it, as interrupts are let in by the same
+// instruction that precedes it.
+static void rest() {
+  noInterrupts();
+  if (line_heard() || sensor_has_news() || reading_waits || pong_waits || identity_waits) {
+    interrupts();
+    return;
+  }
+  sleep_enable();
+  interrupts();
+  sleep_cpu();
+  sleep_disable();
+}
+
 void setup() {
+  set_sleep_mode(SLEEP_MODE_IDLE);
   settings = store_read();
   line_begin(store_count_boot());
   sensor_begin();
@@ -110,4 +128,5 @@ void loop() {
   if (reading_waits && send_reading()) reading_waits = false;
   if (pong_waits && send_pong()) pong_waits = false;
   if (identity_waits && send_identity()) identity_waits = false;
+  rest();
 }

@@ -107,6 +107,10 @@ void sensor_poll() {
   fresh = true;
 }
 
+bool sensor_has_news() {
+  return ready || ticks > 0;
+}
+
 bool sensor_due(Reading* reading) {
   if (ticks == 0) return false;
   noInterrupts();

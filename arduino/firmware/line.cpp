@@ -53,6 +53,10 @@ bool line_idle() {
   return Serial.availableForWrite() >= SERIAL_TX_BUFFER_SIZE - 1;
 }
 
+bool line_heard() {
+  return Serial.available() > 0;
+}
+
 bool line_receive(Request* request) {
   while (Serial.available() > 0) {
     const uint8_t byte = Serial.read();

@@ -12,6 +12,9 @@ bool line_send(searig::wire::Type type, uint32_t time_us, const uint8_t* payload
 // Whether the line has nothing more to send, but for the byte on its way.
 bool line_idle();
 
+// Whether there are bytes from the host.
+bool line_heard();
+
 // Whether the host's next frame is whole. Its payload is as long as its type says.
 struct Request {
   searig::wire::Type type;

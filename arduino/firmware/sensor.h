@@ -17,6 +17,9 @@ void sensor_on_tick();
 // Called as often as the loop comes round; never waits.
 void sensor_poll();
 
+// Whether an interrupt has left something for sensor_poll() or sensor_due().
+bool sensor_has_news();
+
 // Whether a reading is due to be sent, and which: once for each tick.
 bool sensor_due(Reading* reading);
 
