@@ -15,7 +15,9 @@ ProgressLine::~ProgressLine() {
 
 void ProgressLine::say(const std::string& doing, double share) {
   if (!terminal_ || std::chrono::steady_clock::now() - start_ < std::chrono::seconds(1)) return;
-  std::fprintf(stderr, "\r\033[K  %3.0f %%  %s", 100.0 * share, doing.c_str());
+  std::fputs("\r\033[K  ", stderr);
+  if (share != no_end) std::fprintf(stderr, "%3.0f %%  ", 100.0 * share);
+  std::fputs(doing.c_str(), stderr);
   std::fflush(stderr);
   shown_ = true;
 }

@@ -14,6 +14,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
+  static constexpr double no_end = -1.0;  ///< a share where nobody knows how long it takes
+
   void say(const std::string& doing, double share);
 
  private:

@@ -15,6 +15,7 @@ inline constexpr const char* module_topic = "/module";      ///< a message for e
 inline constexpr const char* loadcell_topic = "/loadcell";
 inline constexpr const char* raw_suffix = "/raw";            ///< "/module/raw": bytes as they came
 inline constexpr const char* counters_suffix = "/counters";  ///< "/module/counters": each second
+inline constexpr const char* pings_suffix = "/pings";        ///< "/module/pings": two-way exchanges
 inline constexpr const char* events_topic = "/events";
 inline constexpr const char* clock_topic = "/clock";  ///< each second: what was known live
 

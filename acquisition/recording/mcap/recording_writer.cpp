@@ -39,7 +39,8 @@ void RecordingWriter::set_columns(Device device, const std::vector<std::string>&
 }
 
 void RecordingWriter::sample(Device device, double host_s, std::span<const double> values) {
-  row(samples_[std::size_t(device)], host_s, values);
+  const std::uint16_t channel = samples_[std::size_t(device)];
+  if (channel != 0) row(channel, host_s, values);
 }
 
 void RecordingWriter::raw(Device device, double host_s, std::string_view bytes) {
@@ -60,6 +61,15 @@ void RecordingWriter::counters(Device device, const std::vector<std::string>& na
     channel = file_.add_channel(topic_of(device, counters_suffix), schema_of(device, "Counters"),
                                 row_definition(names));
   row(channel, values.front(), values);  // host_s comes first
+}
+
+void RecordingWriter::ping(Device device, const std::vector<std::string>& names,
+                           std::span<const double> values) {
+  std::uint16_t& channel = pings_[std::size_t(device)];
+  if (channel == 0)
+    channel = file_.add_channel(topic_of(device, pings_suffix), schema_of(device, "Ping"),
+                                row_definition(names));
+  row(channel, values.front(), values);
 }
 
 void RecordingWriter::clock(double host_s, const ClockMap& map) {

@@ -25,12 +25,13 @@ class RecordingWriter {
 
   void settings(const Settings& settings, double host_s);
 
-  /// Once for each device, before its first sample.
+  /// Once for each device, before its first sample; what comes before is left out.
   void set_columns(Device device, const std::vector<std::string>& columns);
   void sample(Device device, double host_s, std::span<const double> row);
 
   void raw(Device device, double host_s, std::string_view bytes);
   void counters(Device device, const std::vector<std::string>& names, std::span<const double> row);
+  void ping(Device device, const std::vector<std::string>& names, std::span<const double> row);
   void clock(double host_s, const ClockMap& map);
   void event(const Event& event);
 
@@ -42,7 +43,7 @@ class RecordingWriter {
   Writer file_;
   double epoch_s_;
   std::uint16_t settings_ = 0, events_ = 0, clock_ = 0;  // channels; 0 until they are needed
-  std::array<std::uint16_t, 2> samples_{}, raw_{}, counters_{};  // by device
+  std::array<std::uint16_t, 2> samples_{}, raw_{}, counters_{}, pings_{};  // by device
 };
 
 }  // namespace searig::acquisition::mcap

@@ -1,0 +1,184 @@
+// searig record: a load cell and a module into one file, until the time is over or Ctrl-C.
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+#include "acquisition/recorder/recorder.h"
+#include "app/cli/commands.h"
+#include "app/cli/json_output.h"
+#include "app/cli/progress_line.h"
+#include "app/rig/simulated_sources.h"
+
+namespace searig::app {
+namespace {
+
+using acquisition::RecorderState;
+using acquisition::Source;
+
+struct Options {
+  std::string loadcell, module, json;
+  std::filesystem::path out;
+  double seconds = std::numeric_limits<double>::infinity();
+  std::optional<double> lever_arm_m;
+  double least_free_gb = 1.0;
+};
+
+// Ctrl-C and a closed terminal end a recording as its time does.
+std::atomic<bool> stop{false};
+extern "C" void stop_on_signal(int) {
+  stop = true;
+}
+
+void end_on_signals() {
+  struct sigaction action {};
+  action.sa_handler = stop_on_signal;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+  // A file that may not grow further is an error to be said, not a death.
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+std::string utc(double unix_s) {
+  const auto whole = static_cast<std::time_t>(unix_s);
+  std::tm parts{};
+  gmtime_r(&whole, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+double unix_now_s() {
+  timespec now{};
+  clock_gettime(CLOCK_REALTIME, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+bool simulated(const std::string& name) {
+  return name == "sim:";
+}
+
+/// One simulated rig gives both devices; a real device beside a simulated one is taken as it is.
+std::pair<std::unique_ptr<Source>, std::unique_ptr<Source>> open_sources(const Options& options) {
+  SimulatedSources rig;
+  if (simulated(options.module) || simulated(options.loadcell)) rig = simulated_sources();
+  return {
+      simulated(options.module) ? std::move(rig.module) : acquisition::open_source(options.module),
+      simulated(options.loadcell) ? std::move(rig.loadcell)
+                                  : acquisition::open_source(options.loadcell)};
+}
+
+acquisition::RecorderOptions recorder_options(const Options& options) {
+  acquisition::RecorderOptions out;
+  out.file.path = options.out;
+  out.file.program = "searig " SEARIG_VERSION;
+  out.file.epoch_s = unix_now_s() - acquisition::host_now_s();
+  out.file.least_free_bytes = static_cast<std::uint64_t>(1e9 * options.least_free_gb);
+  out.seconds = options.seconds;
+  out.started = utc(unix_now_s());
+  out.lever_arm_m = options.lever_arm_m;
+  if (!out.lever_arm_m && simulated(options.loadcell))
+    out.lever_arm_m = RigSettings{}.parameters.lever.arm_m;
+  return out;
+}
+
+std::string device_line(const char* name, const acquisition::WireCounters& counters) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%s %llu, lost %llu, garbled %llu", name,
+                static_cast<unsigned long long>(counters.samples),
+                static_cast<unsigned long long>(counters.lost_samples),
+                static_cast<unsigned long long>(acquisition::garbled(counters)));
+  return text;
+}
+
+std::string clock_words(const RecorderState& state) {
+  if (!state.clock) return "clocks not known yet";
+  char text[80];
+  std::snprintf(text, sizeof text, "clocks +-%.1f ms%s", 1e3 * state.clock->ci95_s,
+                state.clock->trusted ? "" : ", NOT TRUSTED");
+  return text;
+}
+
+std::string state_line(const RecorderState& state) {
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "%.1f s   ", state.seconds);
+  return seconds + device_line("module", state.module) + "   " +
+         device_line("load cell", state.loadcell) + "   " + clock_words(state);
+}
+
+nlohmann::json counters_json(const char* name, const acquisition::WireCounters& counters) {
+  return {{"name", name},
+          {"received", counters.samples},
+          {"lost", counters.lost_samples},
+          {"doubled", counters.doubled},
+          {"garbled", acquisition::garbled(counters)},
+          {"out_of_order", counters.out_of_order},
+          {"restarts", counters.restarts}};
+}
+
+nlohmann::json answer(const Options& options, const RecorderState& state) {
+  nlohmann::json out = {
+      {"format", "searig-record/1"},
+      {"file", options.out.string()},
+      {"seconds", state.seconds},
+      {"bytes", state.bytes_written},
+      {"streams",
+       {counters_json("module", state.module), counters_json("loadcell", state.loadcell)}}};
+  if (state.clock)
+    out["loadcell_to_module"] = {{"rate", state.clock->rate},
+                                 {"offset_s", state.clock->offset_s},
+                                 {"ci95_s", state.clock->ci95_s},
+                                 {"trusted", state.clock->trusted},
+                                 {"why", state.clock->why}};
+  return out;
+}
+
+void run(const Options& options) {
+  end_on_signals();
+  auto [module, loadcell] = open_sources(options);
+  acquisition::Recorder recorder(recorder_options(options), std::move(module), std::move(loadcell));
+  RecorderState state;
+  {
+    ProgressLine line;
+    state = recorder.run(stop, [&](const RecorderState& now) {
+      line.say(state_line(now), std::isfinite(options.seconds) ? now.seconds / options.seconds
+                                                               : ProgressLine::no_end);
+    });
+  }
+  if (options.json != "-") std::cout << options.out.string() << ": " << state_line(state) << '\n';
+  if (!options.json.empty()) write_json(answer(options, state), options.json);
+}
+
+}  // namespace
+
+void add_record(CLI::App& app) {
+  auto* command = app.add_subcommand("record", "Record a load cell and a module into one file");
+  const auto options = std::make_shared<Options>();
+  command
+      ->add_option("--loadcell", options->loadcell,
+                   "serial:DEVICE or its path, udp://HOST:PORT, or sim: for the simulated rig")
+      ->required();
+  command->add_option("--module", options->module, "udp://HOST:PORT, serial:DEVICE, or sim:")
+      ->required();
+  command->add_option("--out", options->out, "File to make (.mcap)")->required();
+  command->add_option("--seconds", options->seconds, "How long (default: until Ctrl-C)")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--lever-arm", options->lever_arm_m,
+                   "From the joint to the load cell, m; negative where it pulls the other way")
+      ->check(CLI::Number);
+  command
+      ->add_option("--least-free-gb", options->least_free_gb,
+                   "Stop, or do not begin, where the disk has less room (default 1)")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--json", options->json, "Write the answer for machines (- for stdout)");
+  command->footer(
+      "Example:\n  searig record --loadcell /dev/ttyACM0 --module udp://10.0.0.2:7777 "
+      "--lever-arm 0.15 --out run.mcap\n  searig record --loadcell sim: --module sim: --seconds 10 "
+      "--out sim.mcap");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace searig::app
