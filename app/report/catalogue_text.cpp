@@ -1,6 +1,7 @@
 #include "app/report/catalogue_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/report/quantity.h"
 #include "estimator/physics/catalogue.h"
@@ -33,7 +34,7 @@ constexpr Chapter chapters[] = {
 
 std::string bounds(const estimator::Parameter& p) {
   const auto side = [](double value) {
-    return value <= -1e8 || value >= 1e8 ? std::string("any") : figures(value, 2);
+    return std::isinf(value) ? std::string("any") : figures(value, 2);
   };
   if (side(p.lower) == "any" && side(p.upper) == "any") return "any";
   if (side(p.upper) == "any") return "from " + side(p.lower);

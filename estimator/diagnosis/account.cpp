@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "estimator/diagnosis/heldout.h"
-#include "estimator/diagnosis/unnamed.h"
+#include "estimator/diagnosis/refine.h"
 #include "estimator/physics/catalogue.h"
 
 namespace searig::estimator {
 namespace {
 
 constexpr int most_changes = 6;
+constexpr double price_of_joining = 20.0;  // in deviance: one place less to explain
 
 class Accountant {
  public:
@@ -76,12 +77,30 @@ class Accountant {
   /// Atoms come from a coarse grid of places; what they tell is where.
   void refine_atoms() {
     for (std::size_t i = 0; i < out_.final.hypothesis.size(); ++i) {
-      if (!out_.final.hypothesis[i].atom) continue;
+      if (!out_.final.hypothesis[i].atom || joined(i)) continue;
       Hypothesis rest = out_.final.hypothesis;
       rest.erase(rest.begin() + std::ptrdiff_t(i));
       out_.moved_atoms.push_back(refined(bench_, rest, *out_.final.hypothesis[i].atom));
       out_.final.hypothesis[i].atom = &out_.moved_atoms.back();
     }
+  }
+
+  /// Two changes of one kind, there and back, are one that lasts for a while.
+  bool joined(std::size_t i) {
+    const Atom& atom = *out_.final.hypothesis[i].atom;
+    if (!atom.at_once) return false;
+    Hypothesis rest = out_.final.hypothesis;
+    const auto same = [&](const Piece& p) { return p.atom && p.atom->what == atom.what; };
+    if (std::erase_if(rest, same) < 2) return false;
+    const Atom one = refined(bench_, rest, atom);
+    if (one.at_once) return false;
+    out_.moved_atoms.push_back(one);
+    rest.insert(rest.begin() + std::ptrdiff_t(std::min(i, rest.size())),
+                {nullptr, {}, &out_.moved_atoms.back()});
+    const double apart = bench_.fit(out_.final.hypothesis).solution.sse;
+    if (bench_.fit(rest).solution.sse > apart + price_of_joining) return false;
+    out_.final.hypothesis = rest;
+    return true;
   }
 
   bool in_base(const Piece& piece) const {

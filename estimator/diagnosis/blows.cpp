@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "estimator/diagnosis/locate.h"
+#include "estimator/diagnosis/refine.h"
 #include "estimator/order.h"
 #include "estimator/physics/single_amplitude.h"
 
@@ -39,6 +40,20 @@ std::pair<double, Region> crowded(const Experiment& e, const std::vector<Eigen::
   return best;
 }
 
+/// The while in which the residual is louder than before and after, on the module's clock.
+std::pair<double, double> while_loud(const Experiment& e, const Eigen::VectorXd& raw,
+                                     Eigen::Index from, Eigen::Index to) {
+  constexpr double cell_s = 0.25;
+  std::vector<double> squares(std::size_t(e.motion.t.back() / cell_s) + 1, 0.0), counts = squares;
+  for (Eigen::Index i = from; i < to; ++i) {
+    if (!e.usable[std::size_t(i)]) continue;
+    const auto cell = std::min(std::size_t(e.time(i) / cell_s), squares.size() - 1);
+    squares[cell] += raw[i] * raw[i], counts[cell] += 1.0;
+  }
+  const auto [first, last] = loudest_run(squares, counts);
+  return {e.start_s + cell_s * double(first), e.start_s + cell_s * double(last + 1)};
+}
+
 }  // namespace
 
 std::optional<Unexplained> blows(const Bench& bench, const Hypothesis& hypothesis) {
@@ -65,7 +80,7 @@ std::optional<Unexplained> blows(const Bench& bench, const Hypothesis& hypothesi
     Unexplained out;
     out.located.residuals = residuals_of(block == 0 ? Path::rig : Path::drive);
     if (best.second.channel == "time_s")
-      out.located.intervals_s = {{e.start_s + best.second.from, e.start_s + best.second.to}};
+      out.located.intervals_s = {while_loud(e, raw, borders[block], borders[block + 1])};
     else
       out.located.regions = {best.second};
     // Chernoff's bound, were one row in a thousand as far out anyway.

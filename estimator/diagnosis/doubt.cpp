@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimator/diagnosis/remainder.h"
+
 namespace searig::estimator {
 namespace {
 
@@ -18,7 +20,7 @@ void doubt_beside_unexplained(Diagnosis& out) {
   for (auto& f : out.findings)
     if (f.located.residuals == left.residuals && left.share > 0.1 * f.located.share)
       f.probability *= beside_nameless;
-  if (out.unexplained->what == "the load cell's zero wanders")
+  if (out.unexplained->what == zero_wanders || out.unexplained->what == zero_jumps)
     std::erase_if(out.findings, [](const Finding& f) { return f.effect == "rig.zero_drift"; });
 }
 

@@ -9,24 +9,43 @@
 namespace searig::estimator {
 namespace {
 
-constexpr double region_share = 0.8;    // of the energy that a region holds
-constexpr double interval_share = 0.9;  // and the seconds together
-
 /// Change of each usable row's prediction, squared, in units of the noise.
 Eigen::VectorXd energy(const Bench& bench, const Hypothesis& without, const Hypothesis& with) {
-  const Eigen::VectorXd a = bench.raw_residual(without, bench.fit(without));
-  const Eigen::VectorXd b = bench.raw_residual(with, bench.fit(with));
   const Experiment& e = bench.experiment();
+  const Eigen::VectorXd change = bench.whitening()(bench.raw_residual(without, bench.fit(without)) -
+                                                   bench.raw_residual(with, bench.fit(with)));
   Eigen::VectorXd out = Eigen::VectorXd::Zero(e.rows());
-  const double sd[2] = {bench.whitening().loadcell().sd, bench.whitening().drive().sd};
-  for (Eigen::Index i = 0; i < e.rows(); ++i) {
-    const double scale = sd[i < e.loadcell_rows() ? 0 : 1];
-    if (e.usable[std::size_t(i)]) out[i] = std::pow((a[i] - b[i]) / scale, 2);
-  }
+  for (Eigen::Index i = 0; i < e.rows(); ++i)
+    if (e.usable[std::size_t(i)]) out[i] = change[i] * change[i];
   return out;
 }
 
-/// The part of a channel's range, in cells of equal width, that holds most of the energy per row.
+/// Energy and rows, cell by cell of some axis.
+struct Cells {
+  std::vector<double> energy;
+  std::vector<int> rows;
+
+  explicit Cells(std::size_t count) : energy(count, 0.0), rows(count, 0) {}
+  void add(std::size_t cell, double e) { energy[cell] += e, ++rows[cell]; }
+
+  /// Runs of cells that hold more per row than the whole does, [first, last]; a single cell
+  /// between two of them counts along.
+  std::vector<std::pair<std::size_t, std::size_t>> dense() const {
+    const double mean = std::accumulate(energy.begin(), energy.end(), 0.0) /
+                        std::max(1, std::accumulate(rows.begin(), rows.end(), 0));
+    std::vector<std::pair<std::size_t, std::size_t>> out;
+    for (std::size_t c = 0; c < energy.size(); ++c) {
+      if (rows[c] == 0 || energy[c] <= mean * rows[c]) continue;
+      if (!out.empty() && c - out.back().second <= 2)
+        out.back().second = c;
+      else
+        out.emplace_back(c, c);
+    }
+    return out;
+  }
+};
+
+/// The parts of a channel's range, in cells of equal width, in which the energy is dense.
 std::vector<Region> regions(const Experiment& e, const Eigen::VectorXd& energy,
                             const std::string& channel) {
   const auto* values = channel_of(e.motion, channel);
@@ -35,62 +54,30 @@ std::vector<Region> regions(const Experiment& e, const Eigen::VectorXd& energy,
   Eigen::VectorXd at_rows(e.rows());
   if (e.loadcell_rows() > 0) at_rows.head(e.loadcell_rows()) = e.at_loadcell(x);
   if (e.drive_rows() > 0) at_rows.tail(e.drive_rows()) = e.at_drive(x);
-  constexpr int cells = 40;
-  const double low = x.minCoeff(), high = x.maxCoeff();
-  if (!(high > low)) return {};
-  std::vector<double> sum(cells, 0.0);
+  constexpr int count = 40;
+  const double low = x.minCoeff(), width = (x.maxCoeff() - low) / count;
+  if (!(width > 0)) return {};
+  Cells cells(count);
   for (Eigen::Index i = 0; i < e.rows(); ++i)
-    sum[std::size_t(std::clamp(int(cells * (at_rows[i] - low) / (high - low)), 0, cells - 1))] +=
-        energy[i];
-  std::vector<std::size_t> order(cells);
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, std::greater{}, [&](std::size_t c) { return sum[c]; });
-  std::vector<bool> chosen(cells, false);
-  double held = 0.0;
-  for (const std::size_t c : order) {
-    if (held >= region_share * energy.sum()) break;
-    held += sum[c];
-    chosen[c] = true;
-  }
+    if (e.usable[std::size_t(i)])
+      cells.add(std::size_t(std::clamp(int((at_rows[i] - low) / width), 0, count - 1)), energy[i]);
   std::vector<Region> out;
-  const auto border = [&](std::size_t c) { return low + (high - low) * double(c) / cells; };
-  for (std::size_t c = 0; c < cells; ++c) {
-    if (!chosen[c]) continue;
-    if (c > 0 && chosen[c - 1])
-      out.back().to = border(c + 1);
-    else
-      out.push_back({channel, border(c), border(c + 1)});
-  }
+  for (const auto& [first, last] : cells.dense())
+    out.push_back({channel, low + width * double(first), low + width * double(last + 1)});
   return out;
 }
 
-/// The seconds, few of them, that hold most of the energy; neighbours merge.
+/// The seconds in which the energy is dense.
 std::vector<std::pair<double, double>> intervals(const Experiment& e,
                                                  const Eigen::VectorXd& energy) {
-  const auto seconds = std::size_t(std::ceil(e.motion.t.back())) + 1;
-  std::vector<double> sum(seconds, 0.0);
+  const double end = e.motion.t.back();
+  Cells seconds(std::size_t(std::ceil(end)) + 1);
   for (Eigen::Index i = 0; i < e.rows(); ++i)
-    sum[std::size_t(std::clamp(e.time(i), 0.0, double(seconds) - 1.0))] += energy[i];
-  std::vector<std::size_t> order(seconds);
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, std::greater{}, [&](std::size_t s) { return sum[s]; });
-  std::vector<bool> chosen(seconds, false);
-  double held = 0.0;
-  for (const std::size_t s : order) {
-    if (held >= interval_share * energy.sum()) break;
-    held += sum[s];
-    chosen[s] = true;
-  }
+    if (e.usable[std::size_t(i)])
+      seconds.add(std::size_t(std::clamp(e.time(i), 0.0, end)), energy[i]);
   std::vector<std::pair<double, double>> out;
-  for (std::size_t s = 0; s < seconds; ++s) {
-    if (!chosen[s]) continue;
-    const double from = e.start_s + double(s);
-    const double to = e.start_s + std::min(double(s + 1), e.motion.t.back());
-    if (!out.empty() && from - out.back().second <= 1.5)
-      out.back().second = to;
-    else
-      out.emplace_back(from, to);
-  }
+  for (const auto& [first, last] : seconds.dense())
+    out.emplace_back(e.start_s + double(first), e.start_s + std::min(double(last + 1), end));
   return out;
 }
 

@@ -52,7 +52,7 @@ Projection::Gain Projection::gain(const Eigen::MatrixXd& candidate) const {
   out.coefficients = Eigen::VectorXd::Zero(candidate.cols());
   const double norm = candidate.norm();
   if (!(norm > 0)) return out;
-  const Eigen::MatrixXd free = candidate - basis_ * (basis_.transpose() * candidate);
+  const Eigen::MatrixXd free = free_part(candidate);
   out.independence = free.norm() / norm;
   if (out.independence < 1e-5) return out;
   const Eigen::VectorXd scale = inverse_norms(free);

@@ -27,6 +27,10 @@ class Projection {
     double independence = 0.0;     ///< share of the candidate that the fixed columns do not span
   };
   Gain gain(const Eigen::MatrixXd& candidate) const;
+  /// What of the candidate the fixed columns do not span.
+  Eigen::MatrixXd free_part(const Eigen::MatrixXd& candidate) const {
+    return candidate - basis_ * (basis_.transpose() * candidate);
+  }
   const Eigen::VectorXd& residual() const { return residual_; }
   double sse() const { return residual_.squaredNorm(); }
 

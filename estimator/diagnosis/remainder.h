@@ -17,8 +17,10 @@ std::optional<Unexplained> loud_while(const Bench& bench, const Hypothesis& hypo
 /// the channel in which they crowd most.
 std::optional<Unexplained> blows(const Bench& bench, const Hypothesis& hypothesis);
 
-/// A load-cell residual that is mostly slower than ten seconds, and not straight: its zero wanders.
-/// No null of correlated noise has a memory that long.
+/// A load-cell residual that is mostly slower than ten seconds, and not straight: its zero wanders,
+/// or jumps where one step is all of it. No null of correlated noise has a memory that long.
+inline constexpr const char* zero_wanders = "the load cell's zero wanders";
+inline constexpr const char* zero_jumps = "the load cell's zero jumps";
 std::optional<Unexplained> wanders(const Bench& bench, const Hypothesis& hypothesis);
 
 }  // namespace searig::estimator

@@ -86,8 +86,9 @@ class Collector {
     for (int i = 1; i < count; ++i) {
       const double at = end * (0.08 + 0.84 * i / count);
       add(what, path, "time_s", at, end,
-          [&m = m_, carrier](double from, double) -> Eigen::VectorXd {
-            return (as_array(m.t) > from).select(carrier, 0.0).matrix();
+          [&m = m_, carrier](double from, double to) -> Eigen::VectorXd {
+            const auto t = as_array(m.t);
+            return (t > from && t <= to).select(carrier, 0.0).matrix();
           });
       if (!out_.empty()) out_.back().at_once = true;
     }
@@ -100,7 +101,7 @@ class Collector {
       add("something that happens only for a while", path, "time_s", i * width, (i + 1) * width,
           [&m = m_, carrier](double from, double to) -> Eigen::VectorXd {
             const auto t = as_array(m.t);
-            return (t >= from && t < to).select(carrier, 0.0).matrix();
+            return (t > from && t <= to).select(carrier, 0.0).matrix();
           });
   }
 
@@ -204,35 +205,6 @@ std::vector<Atom> unnamed_atoms(const Motion& motion) {
   if (motion.has_spring()) at_the_loadcell(motion, collector);
   if (motion.has_drive()) in_the_drive(motion, collector);
   return out;
-}
-
-Atom refined(const Bench& bench, const Hypothesis& rest, const Atom& atom) {
-  if (!atom.at) return atom;
-  const Fit fit = bench.fit(rest);
-  const Projection projection(fit.free_columns, fit.free_right);
-  const auto gain = [&](const Atom& a) {
-    return projection.gain(bench.whitening()(bench.stack(a.path, a.feature, 0.0, 0.0))).sse;
-  };
-  Atom best = atom;
-  double most = gain(best);
-  double step = 0.5 * (atom.to - atom.from);
-  if (atom.channel == "time_s") step = std::min(step, 2.0);
-  for (int round = 0; round < 8; ++round, step *= 0.6)
-    for (const auto& [from, to] : {std::pair{-step, 0.0},
-                                   {step, 0.0},
-                                   {0.0, -step},
-                                   {0.0, step},
-                                   {step, step},
-                                   {-step, -step},
-                                   {step, -step},
-                                   {-step, step}}) {
-      Atom moved = best;
-      moved.from += from, moved.to += to;
-      if (!(moved.to > moved.from)) continue;
-      moved.feature = atom.at(moved.from, moved.to);
-      if (const double g = gain(moved); g > most) most = g, best = moved;
-    }
-  return best;
 }
 
 }  // namespace searig::estimator

@@ -11,7 +11,4 @@ namespace searig::estimator {
 /// The atoms keep a reference to the motion.
 std::vector<Atom> unnamed_atoms(const Motion& motion);
 
-/// Moves an atom's borders to where it explains most beside the rest of the hypothesis.
-Atom refined(const Bench& bench, const Hypothesis& rest, const Atom& atom);
-
 }  // namespace searig::estimator

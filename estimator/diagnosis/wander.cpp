@@ -4,43 +4,93 @@
 #include <cmath>
 
 #include "estimator/diagnosis/locate.h"
+#include "estimator/diagnosis/regression.h"
 #include "estimator/physics/single_amplitude.h"
 
 namespace searig::estimator {
+namespace {
+
+/// The usable part of the load cell's residual.
+struct Residual {
+  std::vector<double> t, x;
+
+  double power() const { return mean_square(x); }
+
+  /// Mean square of the means over blocks of so many seconds.
+  double slow_power(double seconds) const { return mean_square(means(seconds)); }
+
+  std::vector<double> means(double seconds) const {
+    std::vector<double> out;
+    for (std::size_t from = 0, to; from < x.size(); from = to) {
+      double sum = 0.0;
+      for (to = from; to < x.size() && same_block(from, to, seconds); ++to) sum += x[to];
+      out.push_back(sum / double(to - from));
+    }
+    return out;
+  }
+
+  /// Slower than ten seconds for the most part, and not only for a moment.
+  bool is_slow() const {
+    const double slow = slow_power(8.0);
+    return x.size() >= 200 && slow >= 0.3 * power() && slow >= 0.5 * slow_power(2.0);
+  }
+
+ private:
+  bool same_block(std::size_t a, std::size_t b, double seconds) const {
+    return std::floor(t[a] / seconds) == std::floor(t[b] / seconds);
+  }
+  static double mean_square(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double v : values) sum += v * v;
+    return values.empty() ? 0.0 : sum / double(values.size());
+  }
+};
+
+/// Takes the best single step, and the straight line beside it, out of the residual; returns when.
+double take_step_out(Residual& r) {
+  const auto n = Eigen::Index(r.x.size());
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Ones(n, 2);
+  columns.col(1) = as_array(r.t).matrix();
+  const Projection line(columns, as_array(r.x).matrix());
+  const auto step_from = [&](Eigen::Index row) {
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(n);
+    out.tail(n - row).setOnes();
+    return out;
+  };
+  const Eigen::Index every = std::max<Eigen::Index>(1, n / 500);
+  Eigen::Index at = 1;
+  double most = -1.0;
+  for (Eigen::Index row = 1; row < n; row += every)
+    if (const double gain = line.gain(step_from(row)).sse; gain > most) most = gain, at = row;
+  columns.conservativeResize(n, 3);
+  columns.col(2) = step_from(at);
+  const Eigen::VectorXd left = solve(columns, as_array(r.x).matrix()).residual;
+  r.x.assign(left.begin(), left.end());
+  return r.t[std::size_t(at)];
+}
+
+}  // namespace
+
 std::optional<Unexplained> wanders(const Bench& bench, const Hypothesis& hypothesis) {
   const Experiment& e = bench.experiment();
   const Eigen::VectorXd raw = bench.raw_residual(hypothesis, bench.fit(hypothesis));
-  const auto means = [&](double seconds) {
-    std::vector<double> out;
-    double sum = 0.0, n = 0.0, block = 0.0;
-    for (Eigen::Index i = 0; i < e.loadcell_rows(); ++i) {
-      if (!e.usable[std::size_t(i)]) continue;
-      if (std::floor(e.time(i) / seconds) != block) {
-        if (n > 0) out.push_back(sum / n);
-        sum = n = 0.0, block = std::floor(e.time(i) / seconds);
-      }
-      sum += raw[i], n += 1.0;
-    }
-    return out;
-  };
-  const auto square = [](const std::vector<double>& x) {
-    double sum = 0.0;
-    for (const double v : x) sum += v * v;
-    return x.empty() ? 0.0 : sum / double(x.size());
-  };
-  double total = 0.0, n = 0.0;
+  Residual residual;
   for (Eigen::Index i = 0; i < e.loadcell_rows(); ++i)
-    if (e.usable[std::size_t(i)]) total += raw[i] * raw[i], n += 1.0;
-  const double slow = square(means(8.0));
-  if (n < 200 || slow < 0.3 * total / n || slow < 0.5 * square(means(2.0))) return std::nullopt;
+    if (e.usable[std::size_t(i)]) residual.t.push_back(e.time(i)), residual.x.push_back(raw[i]);
+  if (!residual.is_slow()) return std::nullopt;
   Unexplained out;
   out.located.residuals = residuals_of(Path::rig);
   out.located.intervals_s = {{e.start_s, e.start_s + e.motion.t.back()}};
-  out.located.share = slow / (total / n);
+  out.located.share = residual.slow_power(8.0) / residual.power();
   // Chernoff's bound for a mean of squares, were a fifth of the power that slow anyway.
-  const double x = slow / (0.2 * total / n), m = double(means(8.0).size());
+  const double x = out.located.share / 0.2, m = double(residual.means(8.0).size());
   out.p_value = x > 1.0 ? std::exp(-0.5 * m * (x - 1.0 - std::log(x))) : 1.0;
-  out.what = "the load cell's zero wanders";
+  out.what = zero_wanders;
+  const double step_s = e.start_s + take_step_out(residual);
+  if (!residual.is_slow()) {
+    out.what = zero_jumps;
+    out.located.intervals_s = {{step_s - 0.5, step_s + 0.5}};
+  }
   return out;
 }
 

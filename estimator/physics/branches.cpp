@@ -12,7 +12,7 @@ std::vector<Parameter> branch_parameters(const auto& amplitude, const auto& shap
       const bool numbered = branch > 1 || name->first_numbered;
       out.push_back({name->prefix + (numbered ? std::to_string(branch) : "") + name->unit,
                      0,
-                     1e9,
+                     unlimited,
                      name->meaning,
                      {}});
       if (branch > 1) out.back().fallback = 0.0;

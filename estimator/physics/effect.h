@@ -10,6 +10,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +25,9 @@ namespace searig::estimator {
 /// Where an effect enters: + in T_spring, + in T_drive (friction carries its own minus), or + in
 /// what the load cell reads; `observation` changes when and how sharply the load cell sees it.
 enum class Path { spring, drive, rig, observation };
+
+/// A bound that is none.
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// One parameter as the model file names it.
 struct Parameter {

@@ -17,7 +17,7 @@ class DriveCoulomb final : public SingleAmplitude {
              .separated_by = "constant speeds over two decades at two loads",
              .channel = "input_velocity_rad_s",
              .source = "C. Canudas de Wit et al., IEEE T. Robotics and Automation 7, 1991"},
-            {{"torque_nm", 0, 1e9, "dry friction at the gear output"},
+            {{"torque_nm", 0, unlimited, "dry friction at the gear output"},
              {"smoothing_rad_s", 1e-9, 10, "speed over which the sign turns"}}) {}
 
   bool applies(const Motion& m) const override { return m.has_drive(); }

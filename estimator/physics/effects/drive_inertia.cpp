@@ -17,7 +17,8 @@ class DriveInertia final : public SingleAmplitude {
              .channel = "input_acceleration_rad_s2",
              .source =
                  "paper, equation (2), with the sign of the torque that does not reach the output"},
-            {{"j_kg_m2", 0, 1e9, "sum of J_i r_i at the gear output, for the model's efficiency"}},
+            {{"j_kg_m2", 0, unlimited,
+              "sum of J_i r_i at the gear output, for the model's efficiency"}},
             RelativeTo::efficiency) {}
 
   bool applies(const Motion& m) const override { return m.has_drive(); }

@@ -22,7 +22,7 @@ class DriveLoadFriction final : public SingleAmplitude {
 
   bool applies(const Motion& m) const override { return m.has_drive() && !m.spring_nm.empty(); }
 
-  std::vector<std::vector<double>> shape_grid(const Motion& m) const override { return {{1.0}}; }
+  std::vector<std::vector<double>> shape_grid(const Motion&) const override { return {{1.0}}; }
 
   bool physical(const Eigen::VectorXd& amplitude) const override { return amplitude[0] > 0; }
 

@@ -6,18 +6,19 @@ namespace {
 class DriveMotor final : public SingleAmplitude {
  public:
   DriveMotor()
-      : SingleAmplitude({.name = "drive.motor",
-                         .path = Path::drive,
-                         .title = "the motor's torque at the gear output",
-                         .equation = "efficiency*torque_constant*I",
-                         .looks_like = "torque in proportion to the current",
-                         .confused_with = "",
-                         .separated_by = "",
-                         .channel = "current_a",
-                         .source = "paper, equation (2)"},
-                        {{"torque_constant_nm_per_a", 0, 1e9, "motor constant times gear ratio"},
-                         {"efficiency", 0, 1, "of the gear train; only the product is seen"}},
-                        RelativeTo::efficiency) {}
+      : SingleAmplitude(
+            {.name = "drive.motor",
+             .path = Path::drive,
+             .title = "the motor's torque at the gear output",
+             .equation = "efficiency*torque_constant*I",
+             .looks_like = "torque in proportion to the current",
+             .confused_with = "",
+             .separated_by = "",
+             .channel = "current_a",
+             .source = "paper, equation (2)"},
+            {{"torque_constant_nm_per_a", 0, unlimited, "motor constant times gear ratio"},
+             {"efficiency", 0, 1, "of the gear train; only the product is seen"}},
+            RelativeTo::efficiency) {}
 
   bool applies(const Motion& m) const override { return !m.current.empty(); }
   std::vector<double> shape(const Term&) const override { return {}; }

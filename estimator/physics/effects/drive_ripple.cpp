@@ -19,7 +19,7 @@ class DriveRipple final : public Sine {
               .separated_by = "slow constant speeds over several waves, at two speeds",
               .channel = "input_angle_rad",
               .source = "cogging torque; J. Gieras, Permanent Magnet Motor Technology, 2002"},
-             {{"torque_nm", 0, 1e9, "amplitude at the gear output"},
+             {{"torque_nm", 0, unlimited, "amplitude at the gear output"},
               {"cycles_per_rad", 1e-3, 1e5, "radians of ripple per radian of q_i"},
               {"phase_rad", -1e3, 1e3, "ripple angle at q_i = 0"}}) {}
 

@@ -16,7 +16,7 @@ class DriveStribeck final : public SingleAmplitude {
              .separated_by = "constant speeds from very low on",
              .channel = "input_velocity_rad_s",
              .source = "B. Armstrong-Helouvry et al., Automatica 30, 1994"},
-            {{"torque_nm", 0, 1e9, "breakaway torque above the sliding friction"},
+            {{"torque_nm", 0, unlimited, "breakaway torque above the sliding friction"},
              {"velocity_rad_s", 1e-6, 1e3, "Stribeck velocity"}}) {}
 
   bool applies(const Motion& m) const override { return m.has_drive(); }

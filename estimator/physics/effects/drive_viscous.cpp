@@ -15,7 +15,8 @@ class DriveViscous final : public SingleAmplitude {
                          .separated_by = "constant speeds over two decades",
                          .channel = "input_velocity_rad_s",
                          .source = "linear bearing and lubricant drag"},
-                        {{"b_nm_s_per_rad", 0, 1e9, "viscous friction at the gear output"}}) {}
+                        {{"b_nm_s_per_rad", 0, unlimited, "viscous friction at the gear output"}}) {
+  }
 
   bool applies(const Motion& m) const override { return m.has_drive(); }
 

@@ -16,7 +16,7 @@ class RigGravity final : public Sine {
               .separated_by = "the unloaded lever at several angles, or the rig laid on its side",
               .channel = "output_angle_rad",
               .source = "weight of a lever, m*g*l"},
-             {{"torque_nm", 0, 1e9, "weight times distance of the centre of mass"},
+             {{"torque_nm", 0, unlimited, "weight times distance of the centre of mass"},
               {"phase_rad", -1e3, 1e3, "output angle from hanging down, at q_o = 0"}}) {}
 
   bool applies(const Motion& m) const override { return !m.q_o.empty(); }

@@ -17,7 +17,7 @@ class RigInertia final : public SingleAmplitude {
              .separated_by = "shake the free lever, then hold it",
              .channel = "output_acceleration_rad_s2",
              .source = "Newton, rotation"},
-            {{"j_kg_m2", 0, 1e9, "moment of inertia at the output"}}) {}
+            {{"j_kg_m2", 0, unlimited, "moment of inertia at the output"}}) {}
 
   bool applies(const Motion& m) const override { return !m.a_o.empty(); }
 

@@ -16,7 +16,7 @@ class RigZeroDrift final : public SingleAmplitude {
              .separated_by = "no load for a few minutes",
              .channel = "time_s",
              .source = "load-cell zero drift, OIML R 60"},
-            {{"nm_per_min", -1e9, 1e9, "drift of the zero"}}) {}
+            {{"nm_per_min", -unlimited, unlimited, "drift of the zero"}}) {}
 
   bool applies(const Motion& m) const override { return m.size() > 0; }
 

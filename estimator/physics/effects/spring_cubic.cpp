@@ -17,7 +17,7 @@ class SpringCubic final : public SingleAmplitude {
                  "a slow staircase of amplitudes, then the output mounted 90 degrees further",
              .channel = "deflection_rad",
              .source = "Duffing form; I. Kovacic, M. Brennan, The Duffing Equation, 2011"},
-            {{"k3_nm_per_rad3", -1e9, 1e9, "cubic stiffness"}}) {}
+            {{"k3_nm_per_rad3", -unlimited, unlimited, "cubic stiffness"}}) {}
 
   bool applies(const Motion& m) const override { return m.has_spring(); }
 

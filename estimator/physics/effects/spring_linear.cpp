@@ -15,7 +15,7 @@ class SpringLinear final : public SingleAmplitude {
                          .separated_by = "",
                          .channel = "deflection_rad",
                          .source = "paper, equation (1) (Hooke)"},
-                        {{"k_nm_per_rad", 0, 1e9, "torsional stiffness"}}) {}
+                        {{"k_nm_per_rad", 0, unlimited, "torsional stiffness"}}) {}
 
   bool applies(const Motion& m) const override { return m.has_spring(); }
 

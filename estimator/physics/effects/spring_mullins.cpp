@@ -23,7 +23,7 @@ class SpringMullins final : public SingleAmplitude {
              .channel = "time_s",
              .source = "paper, Fig. 3; R. Ogden, D. Roxburgh, Proc. R. Soc. A 455, 1999"},
             {{"share", 0, 1, "largest loss of stiffness"},
-             {"scale", 1e-9, 1e9, "history that brings 63 % of it: N*m*rad, or rad"},
+             {"scale", 1e-9, unlimited, "history that brings 63 % of it: N*m*rad, or rad"},
              {"history", 0, 1, "0: work done while loading; 1: largest deflection so far", 0.0}},
             RelativeTo::stiffness) {}
 

@@ -18,7 +18,7 @@ class SpringViscous final : public SingleAmplitude {
                  "shows against spring and drive alike, damping only against the spring",
              .channel = "deflection_rate_rad_s",
              .source = "paper, equation (12)"},
-            {{"c_nm_s_per_rad", 0, 1e9, "damping coefficient"}}) {}
+            {{"c_nm_s_per_rad", 0, unlimited, "damping coefficient"}}) {}
 
   bool applies(const Motion& m) const override { return m.has_spring(); }
 

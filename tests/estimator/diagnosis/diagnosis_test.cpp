@@ -119,6 +119,41 @@ TEST(Diagnose, LooksAtTheSpringAloneWhereThereIsNoCurrent) {
   EXPECT_FALSE(d.notes.empty());
 }
 
+/// Two recordings one behind the other, the load cell tared differently in the second.
+Signals tared_twice(const SimulatedActuator& rig, double zero_nm) {
+  Signals s = rig.record();
+  const Signals second = rig.record();
+  const double begins = rig.seconds + 20.0;
+  for (const double t : second.module.t_s) s.module.t_s.push_back(t + begins);
+  for (const double t : second.loadcell.t_s) s.loadcell.t_s.push_back(t + begins);
+  for (const double x : second.loadcell.torque_nm) s.loadcell.torque_nm.push_back(x + zero_nm);
+  const auto append = [](std::vector<double>& to, const std::vector<double>& x) {
+    to.insert(to.end(), x.begin(), x.end());
+  };
+  append(s.module.deflection_rad, second.module.deflection_rad);
+  append(s.module.input_angle_rad, second.module.input_angle_rad);
+  append(s.module.output_angle_rad, second.module.output_angle_rad);
+  append(s.module.current_a, second.module.current_a);
+  s.part_starts_s = {0.0, begins};
+  return s;
+}
+
+TEST(Diagnose, TakesTwoZerosOfTwoRecordingsForNoDrift) {
+  const SimulatedActuator rig;
+  const Diagnosis d = diagnose(tared_twice(rig, 0.4), rig.paper());
+  EXPECT_TRUE(d.findings.empty()) << d.findings.front().effect;
+  EXPECT_FALSE(d.unexplained) << d.unexplained->what;
+  EXPECT_NEAR(d.spring->after, rig.noise_nm, 0.2 * rig.noise_nm);
+}
+
+TEST(Diagnose, SeesTheZeroJumpWhereItIsOneRecording) {
+  const SimulatedActuator rig;
+  Signals s = tared_twice(rig, 0.4);
+  s.part_starts_s.clear();
+  const Diagnosis d = diagnose(s, rig.paper());
+  EXPECT_TRUE(d.unexplained || !d.findings.empty());
+}
+
 TEST(Diagnose, SaysThatARecordingIsTooShortAndStopsWhenTold) {
   SimulatedActuator rig;
   rig.seconds = 1;

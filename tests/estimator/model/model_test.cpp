@@ -91,6 +91,10 @@ TEST(Model, SaysWhatIsWrongWithFileLineAndTerm) {
             "model.toml: line 3: [spring.linear] k_nm_per_rad must be a finite number");
   EXPECT_EQ(refusal(with_format("[spring.linear]\nk_nm_per_rad = nan\n")),
             "model.toml: line 3: [spring.linear] k_nm_per_rad must be a finite number");
+  EXPECT_EQ(refusal(with_format("[drive.motor]\ntorque_constant_nm_per_a = 2\nefficiency = 1.4\n")),
+            "model.toml: line 4: [drive.motor] efficiency = 1.4 is outside 0.0 to 1.0");
+  EXPECT_EQ(refusal(with_format("[spring.relaxation]\nk1_nm_per_rad = 2\ntau_s = 1\ntau2_s = 3\n")),
+            "model.toml: line 2: [spring.relaxation] has tau2_s but no k2_nm_per_rad");
   EXPECT_EQ(refusal(with_format("spring = 3\n")),
             "model.toml: line 2: spring is not a group of effects");
   EXPECT_EQ(refusal(with_format("[spring]\nlinear = 40\n")),
