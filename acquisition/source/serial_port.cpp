@@ -1,10 +1,12 @@
 #include "acquisition/source/serial_port.h"
 
+#include <fcntl.h>
 #include <libserialport.h>
 #include <poll.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <termios.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -20,6 +22,14 @@ std::string real_device(const std::string& device) {
   const std::string path = real != nullptr ? real : "";
   std::free(real);
   return path;
+}
+
+/// Without HUPCL: closing the port does not reset an Arduino.
+bool stay_up(int handle) {
+  termios line{};
+  if (tcgetattr(handle, &line) != 0) return false;
+  line.c_cflag &= ~static_cast<tcflag_t>(HUPCL);
+  return tcsetattr(handle, TCSANOW, &line) == 0;
 }
 
 bool set_line(sp_port* port, unsigned baud) {
@@ -48,46 +58,41 @@ SerialPort::Opened SerialPort::take(const std::string& device, unsigned baud) {
     why_ = device + " is no serial port";
     return Opened::refused;
   }
-  if (sp_open(port_, SP_MODE_READ_WRITE) != SP_OK) {
-    const int error = sp_last_error_code();
-    why_ = device + " cannot be opened: " + std::strerror(error);
-    if (error == EACCES) why_ += " (may you use serial ports? on Debian: adduser YOU dialout)";
-    if (error == ENOENT || error == ENXIO || error == ENODEV) return Opened::absent;
-    if (error == EBUSY) why_ = device + " is in use by another program";
-    return error == EBUSY ? Opened::busy : Opened::refused;
-  }
-  if (sp_get_port_handle(port_, &handle_) != SP_OK || !set_line(port_, baud)) {
+  if (const Opened locked = lock(device, real); locked != Opened::yes) return locked;
+  if (sp_open(port_, SP_MODE_READ_WRITE) != SP_OK || sp_get_port_handle(port_, &handle_) != SP_OK ||
+      !set_line(port_, baud) || !stay_up(handle_)) {
     why_ = device + " cannot be set to " + std::to_string(baud) + " baud";
     return Opened::refused;
   }
-  return hold(device);
-}
-
-/// Keeps others out, and the device from being reset when the port is closed.
-SerialPort::Opened SerialPort::hold(const std::string& device) {
-  // TIOCEXCL keeps out whoever opens it later, but not root; flock keeps out ourselves and all who
-  // ask for it, as many terminal programs do.
-  if (flock(handle_, LOCK_EX | LOCK_NB) != 0 || ioctl(handle_, TIOCEXCL) != 0) {
-    why_ = device + " is in use by another program";
-    return Opened::busy;
-  }
-  termios line{};
-  if (tcgetattr(handle_, &line) == 0) {
-    line.c_cflag &= ~static_cast<tcflag_t>(HUPCL);
-    tcsetattr(handle_, TCSANOW, &line);
-  }
+  ioctl(handle_, TIOCEXCL);
   stale_ = static_cast<std::size_t>(std::max(0, static_cast<int>(sp_input_waiting(port_))));
   sp_flush(port_, SP_BUF_INPUT);
   return Opened::yes;
 }
 
+/// Keeps others out. TIOCEXCL, set later, refuses whoever opens the port from then on, but not
+/// root; flock refuses all who ask for it, as we do and many terminal programs.
+SerialPort::Opened SerialPort::lock(const std::string& device, const std::string& real) {
+  lock_ = ::open(real.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  const int error = errno;
+  if ((lock_ < 0 && error == EBUSY) || (lock_ >= 0 && flock(lock_, LOCK_EX | LOCK_NB) != 0)) {
+    why_ = device + " is in use by another program";
+    return Opened::busy;
+  }
+  if (lock_ >= 0) return Opened::yes;
+  why_ = device + " cannot be opened: " + std::strerror(error);
+  if (error == EACCES) why_ += " (may you use serial ports? On Debian: adduser YOU dialout)";
+  const bool absent = error == ENOENT || error == ENXIO || error == ENODEV || error == EIO;
+  return absent ? Opened::absent : Opened::refused;
+}
+
 void SerialPort::close() {
-  if (port_ == nullptr) return;
   if (handle_ >= 0) ioctl(handle_, TIOCNXCL);
-  sp_close(port_);
-  sp_free_port(port_);
+  if (handle_ >= 0) sp_close(port_);
+  if (port_ != nullptr) sp_free_port(port_);
+  if (lock_ >= 0) ::close(lock_);
   port_ = nullptr;
-  handle_ = -1;
+  handle_ = lock_ = -1;
 }
 
 int SerialPort::read(std::span<std::uint8_t> into) {

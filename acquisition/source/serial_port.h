@@ -39,10 +39,11 @@ class SerialPort {
 
  private:
   Opened take(const std::string& device, unsigned baud);
-  Opened hold(const std::string& device);
+  Opened lock(const std::string& device, const std::string& real);
 
   sp_port* port_ = nullptr;
-  int handle_ = -1;
+  int handle_ = -1;  ///< libserialport's
+  int lock_ = -1;    ///< our own, taken before libserialport touches a port that others may use
   std::size_t stale_ = 0;
   std::string why_;
 };
