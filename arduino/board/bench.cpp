@@ -1,10 +1,9 @@
 #include "arduino/board/bench.h"
 
-#include <charconv>
-
 namespace searig::board {
 
-Bench::Bench(SimulatedBoard& board, PseudoTerminal& terminal, std::uint64_t seed, double start_s)
+Bench::Bench(SimulatedBoard& board, line::PseudoTerminal& terminal, std::uint64_t seed,
+             double start_s)
     : board_(board), terminal_(terminal), faults_(seed), start_s_(start_s) {}
 
 void Bench::run_until(double host_s) {
@@ -32,43 +31,23 @@ void Bench::deliver(double host_s) {
   }
 }
 
-std::string Bench::command(std::string_view line, double host_s) {
-  const std::size_t space = line.find(' ');
-  const std::string_view word = line.substr(0, space);
-  if (space != std::string_view::npos) {
-    const std::string_view text = line.substr(space + 1);
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size() || !(number >= 0.0)) {
-      return "'" + std::string(text) + "' is no number from 0 up";
-    }
-    return with_number(word, number, host_s);
+bool Bench::obey(const line::Command& command, double host_s) {
+  if (line::set_fault(faults_.shares, command)) return true;
+  if (command.word == "stall" && command.number) {
+    stalled_until_s_ = host_s + *command.number;
+    return true;
   }
-  if (word == "reset") {
+  if (command.number) return false;
+  if (command.word == "reset") {
     board_.reset();
-  } else if (word == "unplug") {
+  } else if (command.word == "unplug") {
     terminal_.unplug();
-  } else if (word == "plug") {
+  } else if (command.word == "plug") {
     terminal_.plug();
   } else {
-    return "unknown command '" + std::string(word) + "'";
+    return false;
   }
-  return {};
-}
-
-std::string Bench::with_number(std::string_view word, double number, double host_s) {
-  if (word == "drop") {
-    faults_.shares.drop = number;
-  } else if (word == "double") {
-    faults_.shares.duplicate = number;
-  } else if (word == "flip") {
-    faults_.shares.flip = number;
-  } else if (word == "stall") {
-    stalled_until_s_ = host_s + number;
-  } else {
-    return "unknown command '" + std::string(word) + " NUMBER'";
-  }
-  return {};
+  return true;
 }
 
 }  // namespace searig::board

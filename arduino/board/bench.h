@@ -2,34 +2,31 @@
 #pragma once
 
 #include <deque>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "acquisition/wire/line_faults.h"
-#include "arduino/board/pseudo_terminal.h"
 #include "arduino/board/simulated_board.h"
+#include "arduino/line/commands.h"
+#include "arduino/line/pseudo_terminal.h"
 
 namespace searig::board {
 
 class Bench {
  public:
   /// start_s: the host's monotonic time at which the board's time begins.
-  Bench(SimulatedBoard& board, PseudoTerminal& terminal, std::uint64_t seed, double start_s);
+  Bench(SimulatedBoard& board, line::PseudoTerminal& terminal, std::uint64_t seed, double start_s);
 
   /// Brings the board up to a monotonic time and carries what is due to and from the host.
   void run_until(double host_s);
 
-  /// "drop SHARE", "double SHARE", "flip SHARE", "stall SECONDS", "reset", "unplug", "plug".
-  /// Returns an empty string, or why not.
-  std::string command(std::string_view line, double host_s);
+  /// drop SHARE, double SHARE, flip SHARE, stall SECONDS, reset, unplug, plug. Whether it is one.
+  bool obey(const line::Command& command, double host_s);
 
   const acquisition::LineFaults& faults() const { return faults_; }
 
  private:
   void collect();
   void deliver(double host_s);
-  std::string with_number(std::string_view word, double number, double host_s);
 
   struct Frame {
     std::vector<std::uint8_t> bytes;
@@ -37,7 +34,7 @@ class Bench {
   };
 
   SimulatedBoard& board_;
-  PseudoTerminal& terminal_;
+  line::PseudoTerminal& terminal_;
   acquisition::LineFaults faults_;
   double start_s_;
   double stalled_until_s_ = 0.0;       ///< host time

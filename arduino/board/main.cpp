@@ -95,29 +95,15 @@ void save_eeprom(const SimulatedBoard& board, const std::string& file) {
   }
 }
 
-/// Carries out whole lines of standard input; false where it has ended.
-bool obey(Bench& bench, std::string& unread) {
-  std::array<char, 512> buffer;
-  const ssize_t count = read(STDIN_FILENO, buffer.data(), buffer.size());
-  if (count <= 0) return false;
-  unread.append(buffer.data(), static_cast<std::size_t>(count));
-  for (std::size_t end; (end = unread.find('\n')) != std::string::npos; unread.erase(0, end + 1)) {
-    const std::string why = bench.command(unread.substr(0, end), host_now_s());
-    std::cout << (why.empty() ? "ok" : "error: " + why) << std::endl;
-  }
-  return true;
-}
-
 /// Until stopped, in steps of half a millisecond; after a stall it catches up.
-void run(Bench& bench, const searig::board::PseudoTerminal& terminal, const Options& options) {
+void run(Bench& bench, const searig::line::PseudoTerminal& terminal, const Options& options) {
+  searig::line::CommandLine commands(
+      [&](const auto& command) { return bench.obey(command, host_now_s()); });
   const double end_s = host_now_s() + options.seconds;
-  std::string unread;
-  bool listening = true;
-  while (!stopped && host_now_s() < end_s) {
-    pollfd ready[] = {{listening ? STDIN_FILENO : -1, POLLIN, 0}};
+  while (!stopped && host_now_s() < end_s && !(options.with_stdin && commands.ended())) {
+    pollfd ready[] = {{commands.handle(), POLLIN, 0}};
     const timespec step{0, 500'000};
-    if (ppoll(ready, 1, &step, nullptr) > 0) listening = obey(bench, unread);
-    if (!listening && options.with_stdin) break;
+    if (ppoll(ready, 1, &step, nullptr) > 0) commands.read();
     bench.run_until(host_now_s());
   }
   std::cerr << "searig-board: " << bench.faults().dropped() << " frames dropped, "
@@ -138,7 +124,7 @@ int simulate(Options& options) {
   board.run_until(kBefore);
   board.reset();
   board.take_sent();
-  searig::board::PseudoTerminal terminal(options.link);
+  searig::line::PseudoTerminal terminal(options.link);
   terminal.plug();
   std::cout << terminal.path() << std::endl;
   Bench bench(board, terminal, options.seed, start_s);

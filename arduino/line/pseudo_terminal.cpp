@@ -1,4 +1,4 @@
-#include "arduino/board/pseudo_terminal.h"
+#include "arduino/line/pseudo_terminal.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -13,7 +13,7 @@
 
 #include "acquisition/error.h"
 
-namespace searig::board {
+namespace searig::line {
 namespace {
 
 /// No echo, no line editing: bytes as they are. Stays while the terminal lives.
@@ -76,4 +76,4 @@ void PseudoTerminal::write(std::span<const std::uint8_t> bytes) {
   lost_ += bytes.size() - static_cast<std::size_t>(count > 0 ? count : 0);
 }
 
-}  // namespace searig::board
+}  // namespace searig::line

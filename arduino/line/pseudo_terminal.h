@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace searig::board {
+namespace searig::line {
 
 class PseudoTerminal {
  public:
@@ -43,4 +43,4 @@ class PseudoTerminal {
   std::uint64_t lost_ = 0;
 };
 
-}  // namespace searig::board
+}  // namespace searig::line

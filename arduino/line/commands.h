@@ -1,0 +1,45 @@
+// Commands to a simulated device: lines on its standard input, each answered on standard output.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "acquisition/wire/line_faults.h"
+
+namespace searig::line {
+
+/// "unplug", or with a number from 0 up: "drop 0.01".
+struct Command {
+  std::string_view word;
+  std::optional<double> number;
+};
+
+class CommandLine {
+ public:
+  /// Whether it understood the command.
+  using Handler = std::function<bool(const Command&)>;
+
+  explicit CommandLine(Handler handler) : handler_(std::move(handler)) {}
+
+  /// To be polled, or -1 after the end.
+  int handle() const;
+  bool ended() const { return ended_; }
+
+  /// Reads what is there, carries out whole lines, says "ok" or "error: WHY" to each.
+  void read();
+
+  /// Carries out one line; empty, or why not.
+  std::string obey(std::string_view line) const;
+
+ private:
+  Handler handler_;
+  std::string unread_;
+  bool ended_ = false;
+};
+
+/// The faults that all links have: drop, double and flip with their shares.
+bool set_fault(acquisition::FaultShares& shares, const Command& command);
+
+}  // namespace searig::line
