@@ -137,9 +137,12 @@ void DeviceStream::take(const Identity& identity, std::vector<Entry>& entries) {
     calibration_ = {double(identity.tare_counts), identity.newton_per_count};
   if (same) return;  // it was asked again
   char text[160];
-  std::snprintf(text, sizeof text, "\"%s\", firmware %d, %.6g Hz, tare %d, %.9g N per count.",
-                identity.name.c_str(), int(identity.firmware_version), identity.rate_hz,
-                int(identity.tare_counts), identity.newton_per_count);
+  int end = std::snprintf(text, sizeof text, "\"%s\", firmware %d, %.6g Hz", identity.name.c_str(),
+                          int(identity.firmware_version), identity.rate_hz);
+  if (device_ == Device::loadcell)
+    end += std::snprintf(text + end, sizeof text - std::size_t(end), ", tare %d, %.9g N per count",
+                         int(identity.tare_counts), identity.newton_per_count);
+  std::snprintf(text + end, sizeof text - std::size_t(end), ".");
   note(identity.at.host_s, "identity", text, entries);
   if (!waiting_.empty()) hand_on_waiting(entries);
 }

@@ -61,4 +61,6 @@ struct NewSettings {
 
 using Entry = std::variant<RawPiece, Columns, SampleRow, CountersRow, PingRow, Event, NewSettings>;
 
+void write_entry(const Entry& entry, mcap::RecordingWriter& out);
+
 }  // namespace searig::acquisition

@@ -65,7 +65,10 @@ void FileThread::write_all() {
   const auto clock_each = static_cast<long>(1.0 / options_.chunk_s);
   try {
     for (long chunk = 1; queue_.take_at(next += seconds(options_.chunk_s), entries); ++chunk) {
-      for (const Entry& entry : entries) write(entry);
+      for (const Entry& entry : entries) {
+        write_entry(entry, out_);
+        if (const auto* row = std::get_if<SampleRow>(&entry)) rolling_.take(*row);
+      }
       if (chunk % clock_each == 0) estimate_clock();
       out_.file().end_chunk();
       bytes_written_ = file_.size();
@@ -79,31 +82,6 @@ void FileThread::write_all() {
     while (queue_.take_at(Clock::now() + seconds(options_.chunk_s), entries)) {
     }  // so that the queue does not fill until the recorder has noticed
   }
-}
-
-void FileThread::write(const Entry& entry) {
-  struct Writing {
-    mcap::RecordingWriter& out;
-    RollingClock& clock;
-    void operator()(const RawPiece& raw) const {
-      out.raw(raw.device, raw.host_s,
-              {reinterpret_cast<const char*>(raw.bytes.data()), raw.bytes.size()});
-    }
-    void operator()(const Columns& columns) const {
-      out.set_columns(columns.device, columns.names);
-    }
-    void operator()(const SampleRow& row) const {
-      out.sample(row.device, row.host_s(), row.values);
-      clock.take(row);
-    }
-    void operator()(const CountersRow& row) const {
-      out.counters(row.device, counter_names, row.values);
-    }
-    void operator()(const PingRow& row) const { out.ping(row.device, ping_names, row.values); }
-    void operator()(const Event& event) const { out.event(event); }
-    void operator()(const NewSettings& s) const { out.settings(s.settings, s.host_s); }
-  };
-  std::visit(Writing{out_, rolling_}, entry);
 }
 
 void FileThread::estimate_clock() {

@@ -53,7 +53,6 @@ class FileThread {
 
  private:
   void write_all();
-  void write(const Entry& entry);
   void estimate_clock();
   void sync_each_second();
   void check_room();

@@ -17,11 +17,13 @@ constexpr float newton_per_count = 0.0005f;
 
 /// The rig in real time, which both sources drive.
 struct RunningRig {
-  explicit RunningRig(const RigSettings& settings) : rig(settings) {}
-  void run() { rig.run_until(acquisition::host_now_s() - started_s); }
+  RunningRig(const RigSettings& settings, const std::function<double()>& host)
+      : rig(settings), host_s(host), started_s(host()) {}
+  void run() { rig.run_until(host_s() - started_s); }
 
   SimulatedRig rig;
-  double started_s = acquisition::host_now_s();
+  std::function<double()> host_s;
+  double started_s;
 };
 
 std::int32_t micro(double si) {
@@ -61,7 +63,7 @@ class SimulatedSource : public acquisition::Source {
   const acquisition::SourceCounters& counters() const override { return counters_; }
 
   void read(std::vector<Arrival>& arrivals) override {
-    looked_s_ = acquisition::host_now_s();
+    looked_s_ = running_->host_s();
     if (next_ == 0 && counters_.bytes == 0) {
       arrivals.push_back({Arrival::Kind::connected, looked_s_, {}, "The simulated rig runs."});
       hand_on(arrivals, running_->started_s, introduction());
@@ -150,8 +152,9 @@ class SimulatedLoadcell : public SimulatedSource {
 
 }  // namespace
 
-SimulatedSources simulated_sources(const RigSettings& settings) {
-  const auto running = std::make_shared<RunningRig>(settings);
+SimulatedSources simulated_sources(const RigSettings& settings,
+                                   const std::function<double()>& host_s) {
+  const auto running = std::make_shared<RunningRig>(settings, host_s);
   return {std::make_unique<SimulatedModule>(running, settings),
           std::make_unique<SimulatedLoadcell>(running, settings)};
 }

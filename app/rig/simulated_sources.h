@@ -1,6 +1,7 @@
 // The simulated rig as two sources of frames, for recording without hardware.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "acquisition/source/source.h"
@@ -13,8 +14,9 @@ struct SimulatedSources {
   std::unique_ptr<acquisition::Source> loadcell;
 };
 
-/// Both devices of one rig, whose time begins now and goes as the host's. Arrivals bear the rig's
-/// own stamps, so that a recording does not depend on how busy the machine is.
-SimulatedSources simulated_sources(const RigSettings& settings = {});
+/// Both devices of one rig, whose time begins now and goes as `host_s` does. Arrivals bear the
+/// rig's own stamps, so that a recording does not depend on how busy the machine is.
+SimulatedSources simulated_sources(const RigSettings& settings = {},
+                                   const std::function<double()>& host_s = acquisition::host_now_s);
 
 }  // namespace searig::app

@@ -34,16 +34,18 @@ Motion motion_of(const ModuleSignals& module, double half_width_s) {
     const double start = m.t.front();
     for (double& t : m.t) t -= start;
   }
+  // Over the times as they came: what a sample is given depends on its neighbours alone, to the last
+  // bit, and not on where the recording begins; so live and batch estimates agree.
   const auto take = [&](const std::vector<double>& angle, auto& x, auto& v, auto& a) {
     if (angle.empty()) return;
-    auto k = differentiate(m.t, angle, half_width_s);
+    auto k = differentiate(module.t_s, angle, half_width_s);
     x = std::move(k.value), v = std::move(k.first), a = std::move(k.second);
   };
   take(module.deflection_rad, m.theta, m.theta_rate, m.theta_accel);
   take(module.input_angle_rad, m.q_i, m.w, m.a);
   take(module.output_angle_rad, m.q_o, m.w_o, m.a_o);
   if (m.w.empty() && !module.input_velocity_rad_s.empty()) {
-    auto k = differentiate(m.t, module.input_velocity_rad_s, half_width_s);
+    auto k = differentiate(module.t_s, module.input_velocity_rad_s, half_width_s);
     m.w = std::move(k.value), m.a = std::move(k.first);
   }
   m.current = module.current_a;

@@ -76,27 +76,6 @@ class SettingsCollector : public Handler {
   int channel_ = -1;
 };
 
-class RawCollector : public Handler {
- public:
-  explicit RawCollector(const TakeRaw& take) : take_(take) {}
-
-  void channel(const Channel& channel, const Schema&) override {
-    for (const std::string device : {"module", "loadcell"})
-      if (channel.topic == "/" + device + raw_suffix) devices_[channel.id] = device;
-  }
-  void message(const Message& message) override {
-    const auto device = devices_.find(message.channel);
-    if (device == devices_.end()) return;
-    CdrReader reader(message.data);
-    const auto host_s = reader.number<double>();
-    take_(device->second, host_s, reader.raw());
-  }
-
- private:
-  const TakeRaw& take_;
-  std::map<std::uint16_t, std::string> devices_;
-};
-
 /// "Recorded 2026-11-22T01:05:03Z by searig 0.1.0 from sim: and sim:."
 std::string recorded_by(const Settings& settings) {
   if (settings.started.empty()) return {};
@@ -176,11 +155,6 @@ Settings read_settings(const std::filesystem::path& path) {
   }
   if (!found.settings) throw InputError(path.string() + ": is no recording of searig's.");
   return *found.settings;
-}
-
-Ending read_raw(std::string_view bytes, const TakeRaw& take) {
-  RawCollector collector(take);
-  return read(bytes, collector);
 }
 
 }  // namespace searig::acquisition::mcap

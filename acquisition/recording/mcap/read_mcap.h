@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string_view>
 
 #include "acquisition/recording/mcap/reader.h"
@@ -23,10 +22,6 @@ Recording recording_of(std::string_view bytes, const std::string& name);
 
 /// The settings alone, with the model in them.
 Settings read_settings(const std::filesystem::path& path);
-
-/// Bytes as they came from a device, for decoding them anew.
-using TakeRaw = std::function<void(std::string_view device, double host_s, std::string_view bytes)>;
-Ending read_raw(std::string_view bytes, const TakeRaw& take);
 
 /// "The file ends within a record; 120 bytes behind what is whole are left out.", or empty.
 std::string cut_off(const Ending& ending, std::size_t size);

@@ -1,0 +1,153 @@
+// Live, replayed and batch estimates from the same raw frames are the same to the last bit.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "acquisition/recorder/device_stream.h"
+#include "acquisition/recorder/replay.h"
+#include "acquisition/recording/mcap/read_mcap.h"
+#include "app/rig/live_estimate.h"
+#include "app/rig/live_rig.h"
+#include "app/rig/simulated_sources.h"
+#include "app/session/session.h"
+
+namespace searig::app {
+namespace {
+
+using acquisition::Arrival;
+using acquisition::Device;
+using acquisition::DeviceStream;
+using acquisition::Entry;
+using acquisition::Framing;
+
+/// Follows the stiffness along the module's samples as they are decoded.
+class Follower {
+ public:
+  Follower()
+      : estimate_(believed_model(estimator::twin::Parameters{}),
+                  start_from(believed_model(estimator::twin::Parameters{}), 1.0)) {}
+
+  void take(const std::vector<Entry>& entries) {
+    for (const Entry& entry : entries) {
+      const auto* row = std::get_if<acquisition::SampleRow>(&entry);
+      if (!row || row->device != Device::module) continue;
+      auto& module = signals_.module;
+      module.t_s.push_back(row->t_s());
+      module.input_angle_rad.push_back(row->values[4]);
+      module.output_angle_rad.push_back(row->values[5]);
+      module.deflection_rad.push_back(row->values[4] - row->values[5]);
+      module.current_a.push_back(row->values[6]);
+      module.commanded_angle_rad.push_back(row->values[7]);
+    }
+  }
+  void follow(bool ended = false) { estimate_.follow(signals_, ended); }
+  const History& history() const { return estimate_.history(); }
+
+ private:
+  estimator::Signals signals_;
+  LiveEstimate estimate_;
+};
+
+/// Fifteen seconds of a rig that loses frames, followed while they come and recorded.
+struct Live {
+  std::string file;
+  Follower follower;
+
+  /// device_s: what the module's clock shows at the start. Near zero, differences of its times are
+  /// rounded otherwise than later.
+  Live(double look_every_s, double device_s) {
+    double host_s = 500.0;
+    RigSettings settings;
+    settings.module.loss = 0.01;
+    settings.module.clock.offset_s = device_s;
+    auto [module, loadcell] = simulated_sources(settings, [&] { return host_s; });
+    acquisition::mcap::RecordingWriter out([&](std::string_view bytes) { file.append(bytes); },
+                                           "searig test", 1.7e9);
+    acquisition::mcap::Settings recorded;
+    recorded.gear_ratio = settings.parameters.drive.gear_ratio;
+    out.settings(recorded, host_s);
+    DeviceStream modules(Device::module, Framing::stream);
+    DeviceStream loadcells(Device::loadcell, Framing::stream);
+    for (; host_s < 515.0; host_s += look_every_s) {
+      std::vector<Arrival> from_module, from_loadcell;
+      std::vector<Entry> entries;
+      module->read(from_module);
+      loadcell->read(from_loadcell);
+      for (const Arrival& arrival : from_module) modules.take(arrival, entries);
+      for (const Arrival& arrival : from_loadcell) loadcells.take(arrival, entries);
+      for (const Entry& entry : entries) acquisition::write_entry(entry, out);
+      out.file().end_chunk();
+      follower.take(entries);
+      follower.follow();
+    }
+    out.file().finish();
+    follower.follow(true);
+  }
+};
+
+Follower replayed(const std::string& file, std::size_t follow_every) {
+  Follower follower;
+  DeviceStream modules(Device::module, Framing::stream);
+  std::size_t arrivals = 0;
+  acquisition::replay(file, [&](Device device, const Arrival& arrival) {
+    if (device != Device::module) return;
+    std::vector<Entry> entries;
+    modules.take(arrival, entries);
+    follower.take(entries);
+    if (++arrivals % follow_every == 0) follower.follow();
+  });
+  follower.follow(true);
+  return follower;
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+class BitIdentity : public ::testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(DeviceClocks, BitIdentity, ::testing::Values(0.0, 437.5, 4290.0));
+
+TEST_P(BitIdentity, LiveReplayedAndBatchAreTheSame) {
+  const Live live(0.02, GetParam());
+  const History& during = live.follower.history();
+  ASSERT_GT(during.t_s.size(), 7000u);
+
+  for (const std::size_t every : {1u, 37u, 1000u}) {
+    const Follower again = replayed(live.file, every);
+    EXPECT_TRUE(same_bits(again.history().t_s, during.t_s));
+    EXPECT_TRUE(same_bits(again.history().stiffness_nm_per_rad, during.stiffness_nm_per_rad));
+    EXPECT_TRUE(same_bits(again.history().estimated_nm, during.estimated_nm));
+    EXPECT_TRUE(same_bits(again.history().current_nm, during.current_nm));
+    EXPECT_TRUE(same_bits(again.history().weight, during.weight));
+  }
+
+  const Session session = session_of(acquisition::mcap::recording_of(live.file, "live"));
+  const estimator::Model model = believed_model(estimator::twin::Parameters{});
+  const auto evaluation = evaluate_session(session, model);
+  ASSERT_TRUE(evaluation.online);
+  const History batch = history_of(session.signals, evaluation);
+  EXPECT_TRUE(same_bits(batch.t_s, during.t_s));
+  EXPECT_TRUE(same_bits(batch.stiffness_nm_per_rad, during.stiffness_nm_per_rad));
+  EXPECT_TRUE(same_bits(batch.estimated_nm, during.estimated_nm));
+  EXPECT_TRUE(same_bits(batch.current_nm, during.current_nm));
+  EXPECT_TRUE(same_bits(batch.weight, during.weight));
+}
+
+TEST_P(BitIdentity, TheRecordedSamplesAreThoseOfTheRawBytes) {
+  const Live live(0.05, GetParam());
+  const auto recorded = acquisition::mcap::recording_of(live.file, "live");
+  std::vector<double> t_s, current_a;
+  DeviceStream modules(Device::module, Framing::stream);
+  acquisition::replay(live.file, [&](Device device, const Arrival& arrival) {
+    std::vector<Entry> entries;
+    if (device == Device::module) modules.take(arrival, entries);
+    for (const Entry& entry : entries)
+      if (const auto* row = std::get_if<acquisition::SampleRow>(&entry))
+        t_s.push_back(row->t_s()), current_a.push_back(row->values[6]);
+  });
+  EXPECT_TRUE(same_bits(t_s, recorded.module.t_s));
+  EXPECT_TRUE(same_bits(current_a, recorded.module.channel("current_a")));
+}
+
+}  // namespace
+}  // namespace searig::app
