@@ -23,6 +23,7 @@ struct LoadcellSample {
   bool at_limit = false;    ///< at an end of the converter's range
   bool settling = false;    ///< right after power-up
   std::uint16_t overruns = 0;  ///< the device's own count of frames it could not make or send
+  double sent_s = 0.0;         ///< device time at which it was sent; clocks are held against this
 };
 
 /// A channel that the module lacks is NaN.

@@ -22,6 +22,7 @@ LoadcellSample loadcell_sample(const wire::LoadcellPayload& from, const Stamp& a
   sample.at_limit = (from.flags & wire::LoadcellPayload::at_limit) != 0;
   sample.settling = (from.flags & wire::LoadcellPayload::settling) != 0;
   sample.overruns = from.overruns;
+  sample.sent_s = at.device_s + from.age_us * 1e-6;
   return sample;
 }
 

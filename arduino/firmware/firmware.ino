@@ -41,6 +41,8 @@ static bool send_reading() {
   payload.counts = reading.counts;
   payload.flags = reading.flags;
   payload.overruns = sensor_overruns() + unsent;
+  const uint32_t age_us = micros() - reading.time_us;
+  payload.age_us = age_us < UINT16_MAX ? age_us : UINT16_MAX;
   uint8_t bytes[wire::LoadcellPayload::kSize];
   payload.write(bytes);
   return line_send(wire::Type::loadcell_sample, reading.time_us, bytes, sizeof bytes);

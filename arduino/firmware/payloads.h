@@ -8,7 +8,7 @@ namespace wire {
 
 /// One reading of the load cell; the header's time is when it was taken.
 struct LoadcellPayload {
-  static const size_t kSize = 7;
+  static const size_t kSize = 9;
   enum Flag : uint8_t {
     repeated = 1,  // no newer reading since the last frame: the converter is slower than the frames
     at_limit = 2,  // at an end of the converter's range
@@ -17,15 +17,18 @@ struct LoadcellPayload {
   int32_t counts;  // as converted, tare and gain not applied
   uint8_t flags;
   uint16_t overruns;  // frames this device could not make or send since its start
+  // From the reading to the frame's sending, us, 65535 where longer. The host's clock is held
+  // against the sending, as the wait before it varies by a whole conversion.
+  uint16_t age_us;
 
   void write(uint8_t* to) const {
     Writer put(to);
-    put.i32(counts), put.u8(flags), put.u16(overruns);
+    put.i32(counts), put.u8(flags), put.u16(overruns), put.u16(age_us);
   }
   static LoadcellPayload read(const uint8_t* from) {
     Reader get(from);
     LoadcellPayload v;
-    v.counts = get.i32(), v.flags = get.u8(), v.overruns = get.u16();
+    v.counts = get.i32(), v.flags = get.u8(), v.overruns = get.u16(), v.age_us = get.u16();
     return v;
   }
 };

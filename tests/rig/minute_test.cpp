@@ -38,7 +38,7 @@ TEST_F(Minute, LosesNothingAndRecoversTheSkewWithinTwoPpm) {
     Listener listener(open_source(link()));
     listener.for_seconds(60.0);
     const WireCounters& counters = listener.decoder.counters();
-    const double found_ppm = listener.skew_ppm<LoadcellSample>();
+    const double found_ppm = listener.skew_ppm();
     print(listener);
     std::printf("skew %.0f ppm, found %.2f ppm\n", skew_ppm, found_ppm);
     EXPECT_NEAR(static_cast<double>(counters.samples), 3000.0, 60.0);

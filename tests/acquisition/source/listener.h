@@ -62,16 +62,15 @@ struct Listener {
     return parser.bad_crc + parser.malformed + parser.too_long;
   }
 
-  /// How much faster the device's clock runs than the host's, by the line under the arrivals, ppm.
-  template <typename Sample>
+  /// How much faster the load cell's clock runs than the host's, by the line under the arrivals.
   double skew_ppm() const {
-    std::vector<double> t_s, host_s;
-    for (const Sample& sample : all<Sample>()) {
-      if (!t_s.empty() && sample.at.device_s <= t_s.back()) continue;  // a repeated reading
-      t_s.push_back(sample.at.device_s);
+    std::vector<double> sent_s, host_s;
+    for (const auto& sample : all<LoadcellSample>()) {
+      if (sample.repeated) continue;  // its age may be longer than can be said
+      sent_s.push_back(sample.sent_s);
       host_s.push_back(sample.at.host_s);
     }
-    return (1.0 / fit_host_line(t_s, host_s).rate() - 1.0) * 1e6;
+    return (1.0 / fit_host_line(sent_s, host_s).rate() - 1.0) * 1e6;
   }
 
   std::unique_ptr<Source> source;

@@ -81,10 +81,11 @@ TEST(Payloads, FillTheSizeThatTheyState) {
   EXPECT_EQ(back.commanded_angle_urad, kAbsent32);
   EXPECT_EQ(back.winding_temperature_cc, -600);
   EXPECT_EQ(back.overruns, 7);
-  const LoadcellPayload loadcell{-8388608, LoadcellPayload::at_limit, 65535};
+  const LoadcellPayload loadcell{-8388608, LoadcellPayload::at_limit, 65535, 10700};
   loadcell.write(bytes);
   EXPECT_EQ(LoadcellPayload::read(bytes).counts, -8388608);
   EXPECT_EQ(LoadcellPayload::read(bytes).overruns, 65535);
+  EXPECT_EQ(LoadcellPayload::read(bytes).age_us, 10700);
   EXPECT_LE(IdentityPayload::kSize, kMaxPayload);
 }
 

@@ -28,7 +28,8 @@ struct Sender {
   }
 
   Bytes loadcell(std::uint32_t time_us, std::int32_t counts, std::uint16_t overruns = 0) {
-    return frame(wire::Type::loadcell_sample, wire::LoadcellPayload{counts, 0, overruns}, time_us);
+    return frame(wire::Type::loadcell_sample, wire::LoadcellPayload{counts, 0, overruns, 0},
+                 time_us);
   }
 
   Bytes module(std::uint32_t time_us, std::int32_t input_urad) {

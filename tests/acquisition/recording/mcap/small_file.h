@@ -22,21 +22,22 @@ struct SmallFile {
     settings.gear_ratio = 349.0;
     settings.lever_arm_m = 0.15;
     out.settings(settings, started_s);
-    out.set_columns(Device::module, {"t_s", "host_s", "run", "deflection_rad", "current_a"});
-    out.set_columns(Device::loadcell, {"t_s", "host_s", "run", "counts", "force_n"});
+    out.set_columns(StreamId::module, {"t_s", "host_s", "run", "deflection_rad", "current_a"});
+    out.set_columns(StreamId::loadcell, {"t_s", "host_s", "run", "counts", "force_n"});
     std::size_t m = 0, l = 0;
     for (int chunk = 0; chunk < chunks; ++chunk) {
       for (int i = 0; i < module_rows_each; ++i, ++m) {
         const double t = 0.01 * double(m);
-        out.raw(Device::module, started_s + t, "frame " + std::to_string(m));
-        out.sample(Device::module, started_s + t, std::vector{t, started_s + t, 0.0, angle(m), t});
+        out.raw(StreamId::module, started_s + t, "frame " + std::to_string(m));
+        out.sample(StreamId::module, started_s + t,
+                   std::vector{t, started_s + t, 0.0, angle(m), t});
         if (m % 5 != 0) continue;
-        out.sample(Device::loadcell, started_s + t,
+        out.sample(StreamId::loadcell, started_s + t,
                    std::vector{t + 7.0, started_s + t, 0.0, double(l), force(l)});
         ++l;
       }
       if (chunk == 1) out.event({started_s, "module", "unplugged", "The module is gone."});
-      out.counters(Device::module, {"host_s", "lost", "garbled"},
+      out.counters(StreamId::module, {"host_s", "lost", "garbled"},
                    std::vector{started_s, double(chunk), 0.0});
       out.clock(started_s + 0.01 * double(m), {});
       out.file().end_chunk();
