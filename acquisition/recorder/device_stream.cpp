@@ -39,7 +39,8 @@ std::uint64_t garbled(const WireCounters& counters) {
          counters.implausible;
 }
 
-DeviceStream::DeviceStream(Device device, Framing framing, std::optional<CountsToForce> calibration)
+DeviceStream::DeviceStream(StreamId device, Framing framing,
+                           std::optional<CountsToForce> calibration)
     : device_(device), decoder_(framing), given_(calibration), calibration_(calibration) {}
 
 void DeviceStream::note(double host_s, const char* kind, const std::string& text,
@@ -70,7 +71,7 @@ void DeviceStream::note_wrap(const Stamp& at, std::vector<Entry>& entries) {
 }
 
 void DeviceStream::take(const ModuleSample& sample, std::vector<Entry>& entries) {
-  if (device_ != Device::module) return;
+  if (device_ != StreamId::module) return;
   note_wrap(sample.at, entries);
   if (!has_columns_) {  // what a module does not have it never sends
     Columns columns{device_, stamp_names};
@@ -88,7 +89,7 @@ void DeviceStream::take(const ModuleSample& sample, std::vector<Entry>& entries)
 }
 
 void DeviceStream::take(const LoadcellSample& sample, std::vector<Entry>& entries) {
-  if (device_ != Device::loadcell) return;
+  if (device_ != StreamId::loadcell) return;
   note_wrap(sample.at, entries);
   if (sample.repeated) return;  // the reading was handed on already; its frame is in the raw bytes
   if (has_columns_) return hand_on(sample, entries);
@@ -133,13 +134,13 @@ void DeviceStream::take(const Identity& identity, std::vector<Entry>& entries) {
                     identity_->tare_counts == identity.tare_counts &&
                     identity_->newton_per_count == identity.newton_per_count;
   identity_ = identity;
-  if (!given_ && device_ == Device::loadcell && identity.newton_per_count != 0.0)
+  if (!given_ && device_ == StreamId::loadcell && identity.newton_per_count != 0.0)
     calibration_ = {double(identity.tare_counts), identity.newton_per_count};
   if (same) return;  // it was asked again
   char text[160];
   int end = std::snprintf(text, sizeof text, "\"%s\", firmware %d, %.6g Hz", identity.name.c_str(),
                           int(identity.firmware_version), identity.rate_hz);
-  if (device_ == Device::loadcell)
+  if (device_ == StreamId::loadcell)
     end += std::snprintf(text + end, sizeof text - std::size_t(end), ", tare %d, %.9g N per count",
                          int(identity.tare_counts), identity.newton_per_count);
   std::snprintf(text + end, sizeof text - std::size_t(end), ".");

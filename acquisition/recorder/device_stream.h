@@ -23,7 +23,7 @@ class DeviceStream {
  public:
   /// Without a calibration of its own, the load cell's stored one is used, which its identity
   /// tells.
-  DeviceStream(Device device, Framing framing, std::optional<CountsToForce> calibration = {});
+  DeviceStream(StreamId device, Framing framing, std::optional<CountsToForce> calibration = {});
 
   void take(const Arrival& arrival, std::vector<Entry>& entries);
 
@@ -46,7 +46,7 @@ class DeviceStream {
   void hand_on(const LoadcellSample& sample, std::vector<Entry>& entries);
   void hand_on_waiting(std::vector<Entry>& entries);
 
-  Device device_;
+  StreamId device_;
   Decoder decoder_;
   std::optional<CountsToForce> given_, calibration_;
   std::optional<Identity> identity_;

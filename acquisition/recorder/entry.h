@@ -12,22 +12,22 @@
 
 namespace searig::acquisition {
 
-using mcap::Device;
+using mcap::StreamId;
 
 struct RawPiece {
-  Device device;
+  StreamId device;
   double host_s;
   std::vector<std::uint8_t> bytes;
 };
 
 /// The names of a device's samples, once, before the first of them.
 struct Columns {
-  Device device;
+  StreamId device;
   std::vector<std::string> names;  ///< t_s, host_s, seq, run, then channels
 };
 
 struct SampleRow {
-  Device device;
+  StreamId device;
   std::vector<double> values;  ///< as Columns has them
 
   double t_s() const { return values[0]; }
@@ -37,13 +37,13 @@ struct SampleRow {
 
 /// What happened to the frames until now; values as counter_names.
 struct CountersRow {
-  Device device;
+  StreamId device;
   std::vector<double> values;
 };
 
 /// The four times of a two-way exchange; values as ping_names.
 struct PingRow {
-  Device device;
+  StreamId device;
   std::vector<double> values;
 };
 

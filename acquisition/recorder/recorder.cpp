@@ -27,7 +27,7 @@ std::string kept(double seconds) {
 
 }  // namespace
 
-Recorder::Line::Line(Device which, std::unique_ptr<Source> from,
+Recorder::Line::Line(StreamId which, std::unique_ptr<Source> from,
                      std::optional<CountsToForce> calibration)
     : device(which), source(std::move(from)), stream(which, framing_of(*source), calibration) {}
 
@@ -35,8 +35,8 @@ Recorder::Recorder(RecorderOptions options, std::unique_ptr<Source> module,
                    std::unique_ptr<Source> loadcell)
     : options_(std::move(options)),
       file_(options_.file),
-      module_(Device::module, std::move(module), std::nullopt),
-      loadcell_(Device::loadcell, std::move(loadcell), options_.loadcell),
+      module_(StreamId::module, std::move(module), std::nullopt),
+      loadcell_(StreamId::loadcell, std::move(loadcell), options_.loadcell),
       started_s_(host_now_s()) {
   settings_.program = options_.file.program;
   settings_.started = options_.started;
@@ -147,7 +147,7 @@ RecorderState Recorder::state(double now_s) const {
 void Recorder::refuse_silence(const Line& line) const {
   if (line.stream.counters().samples > 0) return;
   throw std::runtime_error(options_.file.path.string() + ": no sample came from the " +
-                           (line.device == Device::module ? "module" : "load cell") + " (" +
+                           (line.device == StreamId::module ? "module" : "load cell") + " (" +
                            line.source->name() + ")" +
                            (line.trouble.empty() ? "." : ": " + line.trouble));
 }

@@ -46,8 +46,8 @@ class Recorder {
 
  private:
   struct Line {
-    Line(Device which, std::unique_ptr<Source> from, std::optional<CountsToForce> calibration);
-    Device device;
+    Line(StreamId which, std::unique_ptr<Source> from, std::optional<CountsToForce> calibration);
+    StreamId device;
     std::unique_ptr<Source> source;
     DeviceStream stream;
     std::vector<Arrival> arrivals;  // kept for its memory only

@@ -10,8 +10,8 @@
 namespace searig::acquisition {
 namespace {
 
-std::optional<Device> device_named(std::string_view name) {
-  for (const Device device : {Device::module, Device::loadcell})
+std::optional<StreamId> device_named(std::string_view name) {
+  for (const StreamId device : {StreamId::module, StreamId::loadcell})
     if (name == mcap::name_of(device)) return device;
   return std::nullopt;
 }
@@ -29,7 +29,7 @@ class Replay : public mcap::Handler {
 
   void channel(const mcap::Channel& channel, const mcap::Schema&) override {
     if (channel.topic == mcap::events_topic) events_ = channel.id;
-    for (const Device device : {Device::module, Device::loadcell})
+    for (const StreamId device : {StreamId::module, StreamId::loadcell})
       if (channel.topic == std::string("/") + mcap::name_of(device) + mcap::raw_suffix)
         raw_[channel.id] = device;
   }
@@ -62,7 +62,7 @@ class Replay : public mcap::Handler {
 
   const TakeArrival& take_;
   Arrival arrival_;
-  std::map<std::uint16_t, Device> raw_;
+  std::map<std::uint16_t, StreamId> raw_;
   int events_ = -1;
 };
 

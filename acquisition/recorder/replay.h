@@ -10,7 +10,7 @@
 
 namespace searig::acquisition {
 
-using TakeArrival = std::function<void(Device device, const Arrival& arrival)>;
+using TakeArrival = std::function<void(StreamId device, const Arrival& arrival)>;
 
 /// Hands on every arrival of both devices in the order of the file, bytes and what befell them.
 /// Given to a DeviceStream they make the same samples as while they were recorded.

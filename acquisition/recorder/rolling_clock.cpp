@@ -29,7 +29,7 @@ Stream RollingClock::Window::stream(const char* name) const {
 }
 
 void RollingClock::take(const SampleRow& row) {
-  (row.device == Device::module ? module_ : loadcell_).take(row);
+  (row.device == StreamId::module ? module_ : loadcell_).take(row);
 }
 
 std::optional<ClockMap> RollingClock::estimate() const {

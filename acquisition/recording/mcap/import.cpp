@@ -75,7 +75,8 @@ void write_rows(RecordingWriter& out, const Table& module, const Table& loadcell
       out.file().end_chunk();
       chunk_from = table.when[row];
     }
-    out.sample(take_module ? Device::module : Device::loadcell, table.when[row], table.row(row));
+    out.sample(take_module ? StreamId::module : StreamId::loadcell, table.when[row],
+               table.row(row));
   }
 }
 
@@ -91,8 +92,8 @@ void write_mcap(const Recording& recording, const std::vector<fs::path>& origina
 
   RecordingWriter out(sink, program, -first);  // MCAP knows no time below zero
   out.settings(settings_of(recording, program), first);
-  out.set_columns(Device::module, module.names);
-  out.set_columns(Device::loadcell, loadcell.names);
+  out.set_columns(StreamId::module, module.names);
+  out.set_columns(StreamId::loadcell, loadcell.names);
   write_rows(out, module, loadcell);
   for (const Event& event : recording.events) out.event(event);
   for (const fs::path& file : originals) {

@@ -8,18 +8,18 @@
 namespace searig::acquisition::mcap {
 namespace {
 
-std::string topic_of(Device device, const char* suffix) {
-  return std::string(device == Device::module ? module_topic : loadcell_topic) + suffix;
+std::string topic_of(StreamId device, const char* suffix) {
+  return std::string(device == StreamId::module ? module_topic : loadcell_topic) + suffix;
 }
 
-std::string schema_of(Device device, const char* what) {
+std::string schema_of(StreamId device, const char* what) {
   return std::string("searig/") + name_of(device) + what;
 }
 
 }  // namespace
 
-const char* name_of(Device device) {
-  return device == Device::module ? "module" : "loadcell";
+const char* name_of(StreamId device) {
+  return device == StreamId::module ? "module" : "loadcell";
 }
 
 RecordingWriter::RecordingWriter(Writer::Sink sink, const std::string& program, double epoch_s)
@@ -33,17 +33,17 @@ void RecordingWriter::settings(const Settings& settings, double host_s) {
   file_.add(settings_, nanoseconds(epoch_s_ + host_s), message.bytes());
 }
 
-void RecordingWriter::set_columns(Device device, const std::vector<std::string>& columns) {
+void RecordingWriter::set_columns(StreamId device, const std::vector<std::string>& columns) {
   samples_[std::size_t(device)] =
       file_.add_channel(topic_of(device, ""), schema_of(device, "Sample"), row_definition(columns));
 }
 
-void RecordingWriter::sample(Device device, double host_s, std::span<const double> values) {
+void RecordingWriter::sample(StreamId device, double host_s, std::span<const double> values) {
   const std::uint16_t channel = samples_[std::size_t(device)];
   if (channel != 0) row(channel, host_s, values);
 }
 
-void RecordingWriter::raw(Device device, double host_s, std::string_view bytes) {
+void RecordingWriter::raw(StreamId device, double host_s, std::string_view bytes) {
   std::uint16_t& channel = raw_[std::size_t(device)];
   if (channel == 0)
     channel =
@@ -54,7 +54,7 @@ void RecordingWriter::raw(Device device, double host_s, std::string_view bytes) 
   file_.add(channel, nanoseconds(epoch_s_ + host_s), message.bytes());
 }
 
-void RecordingWriter::counters(Device device, const std::vector<std::string>& names,
+void RecordingWriter::counters(StreamId device, const std::vector<std::string>& names,
                                std::span<const double> values) {
   std::uint16_t& channel = counters_[std::size_t(device)];
   if (channel == 0)
@@ -63,7 +63,7 @@ void RecordingWriter::counters(Device device, const std::vector<std::string>& na
   row(channel, values.front(), values);  // host_s comes first
 }
 
-void RecordingWriter::ping(Device device, const std::vector<std::string>& names,
+void RecordingWriter::ping(StreamId device, const std::vector<std::string>& names,
                            std::span<const double> values) {
   std::uint16_t& channel = pings_[std::size_t(device)];
   if (channel == 0)

@@ -14,8 +14,8 @@
 
 namespace searig::acquisition::mcap {
 
-enum class Device : std::uint8_t { module = 0, loadcell = 1 };
-const char* name_of(Device device);
+enum class StreamId : std::uint8_t { module = 0, loadcell = 1 };
+const char* name_of(StreamId device);
 
 class RecordingWriter {
  public:
@@ -26,12 +26,13 @@ class RecordingWriter {
   void settings(const Settings& settings, double host_s);
 
   /// Once for each device, before its first sample; what comes before is left out.
-  void set_columns(Device device, const std::vector<std::string>& columns);
-  void sample(Device device, double host_s, std::span<const double> row);
+  void set_columns(StreamId device, const std::vector<std::string>& columns);
+  void sample(StreamId device, double host_s, std::span<const double> row);
 
-  void raw(Device device, double host_s, std::string_view bytes);
-  void counters(Device device, const std::vector<std::string>& names, std::span<const double> row);
-  void ping(Device device, const std::vector<std::string>& names, std::span<const double> row);
+  void raw(StreamId device, double host_s, std::string_view bytes);
+  void counters(StreamId device, const std::vector<std::string>& names,
+                std::span<const double> row);
+  void ping(StreamId device, const std::vector<std::string>& names, std::span<const double> row);
   void clock(double host_s, const ClockMap& map);
   void event(const Event& event);
 

@@ -15,10 +15,10 @@ namespace searig::app {
 namespace {
 
 using acquisition::Arrival;
-using acquisition::Device;
 using acquisition::DeviceStream;
 using acquisition::Entry;
 using acquisition::Framing;
+using acquisition::StreamId;
 
 /// Follows the stiffness along the module's samples as they are decoded.
 class Follower {
@@ -30,7 +30,7 @@ class Follower {
   void take(const std::vector<Entry>& entries) {
     for (const Entry& entry : entries) {
       const auto* row = std::get_if<acquisition::SampleRow>(&entry);
-      if (!row || row->device != Device::module) continue;
+      if (!row || row->device != StreamId::module) continue;
       auto& module = signals_.module;
       module.t_s.push_back(row->t_s());
       module.input_angle_rad.push_back(row->values[4]);
@@ -66,8 +66,8 @@ struct Live {
     acquisition::mcap::Settings recorded;
     recorded.gear_ratio = settings.parameters.drive.gear_ratio;
     out.settings(recorded, host_s);
-    DeviceStream modules(Device::module, Framing::stream);
-    DeviceStream loadcells(Device::loadcell, Framing::stream);
+    DeviceStream modules(StreamId::module, Framing::stream);
+    DeviceStream loadcells(StreamId::loadcell, Framing::stream);
     for (; host_s < 515.0; host_s += look_every_s) {
       std::vector<Arrival> from_module, from_loadcell;
       std::vector<Entry> entries;
@@ -87,10 +87,10 @@ struct Live {
 
 Follower replayed(const std::string& file, std::size_t follow_every) {
   Follower follower;
-  DeviceStream modules(Device::module, Framing::stream);
+  DeviceStream modules(StreamId::module, Framing::stream);
   std::size_t arrivals = 0;
-  acquisition::replay(file, [&](Device device, const Arrival& arrival) {
-    if (device != Device::module) return;
+  acquisition::replay(file, [&](StreamId device, const Arrival& arrival) {
+    if (device != StreamId::module) return;
     std::vector<Entry> entries;
     modules.take(arrival, entries);
     follower.take(entries);
@@ -137,10 +137,10 @@ TEST_P(BitIdentity, TheRecordedSamplesAreThoseOfTheRawBytes) {
   const Live live(0.05, GetParam());
   const auto recorded = acquisition::mcap::recording_of(live.file, "live");
   std::vector<double> t_s, current_a;
-  DeviceStream modules(Device::module, Framing::stream);
-  acquisition::replay(live.file, [&](Device device, const Arrival& arrival) {
+  DeviceStream modules(StreamId::module, Framing::stream);
+  acquisition::replay(live.file, [&](StreamId device, const Arrival& arrival) {
     std::vector<Entry> entries;
-    if (device == Device::module) modules.take(arrival, entries);
+    if (device == StreamId::module) modules.take(arrival, entries);
     for (const Entry& entry : entries)
       if (const auto* row = std::get_if<acquisition::SampleRow>(&entry))
         t_s.push_back(row->t_s()), current_a.push_back(row->values[6]);

@@ -1,0 +1,102 @@
+// searig record on the simulated rig, running until a test ends it.
+#pragma once
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include "acquisition/recording/recording.h"
+#include "acquisition/source/source.h"
+#include "tests/system/run_program.h"
+
+namespace searig {
+
+inline std::string record(const std::filesystem::path& out, const std::string& more) {
+  return "searig record --loadcell sim: --module sim: --out " + out.string() + " " + more;
+}
+
+/// The program running, to be ended by the test.
+class Running {
+ public:
+  explicit Running(const std::vector<std::string>& words) {
+    child_ = fork();
+    if (child_ != 0) return;
+    const int nothing = open("/dev/null", O_RDWR);
+    for (const int stream : {0, 1, 2}) dup2(nothing, stream);
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    execv(arguments[0], arguments.data());
+    _exit(127);
+  }
+  int end(int signal) {
+    kill(child_, signal);
+    int status = 0;
+    waitpid(child_, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  pid_t child_ = -1;
+};
+
+inline std::vector<std::string> recording_words(const std::filesystem::path& out) {
+  return {std::string(SEARIG_BINARY_DIR) + "/searig",
+          "record",
+          "--loadcell",
+          "sim:",
+          "--module",
+          "sim:",
+          "--out",
+          out.string()};
+}
+
+inline void sleep_s(double seconds) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+/// Every row that both have is the same; the simulated rig is the same each time.
+inline void expect_prefix(const acquisition::Stream& part, const acquisition::Stream& whole) {
+  ASSERT_LE(part.t_s.size(), whole.t_s.size());
+  EXPECT_TRUE(std::equal(part.t_s.begin(), part.t_s.end(), whole.t_s.begin()));
+  for (const acquisition::Channel& channel : part.channels)
+    EXPECT_TRUE(std::equal(channel.values.begin(), channel.values.end(),
+                           whole.channel(channel.name).begin()))
+        << channel.name;
+}
+
+/// Kills recordings at random instants; returns the longest time that was lost, s.
+inline double worst_loss_of_kills(int kills, double longest_s) {
+  const acquisition::TemporaryFolder folder;
+  const std::filesystem::path whole_file = folder.path() / "whole.mcap";
+  const Ran whole_run =
+      run_program(record(whole_file, "--seconds " + std::to_string(longest_s + 1.5)));
+  EXPECT_EQ(whole_run.exit_code, 0) << whole_run.err;
+  const acquisition::Recording whole = acquisition::read_recording(whole_file);
+
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> instant(0.4, longest_s);
+  double worst_s = 0.0;
+  for (int i = 0; i < kills; ++i) {
+    const std::filesystem::path file = folder.path() / (std::to_string(i) + ".mcap");
+    Running running(recording_words(file));
+    sleep_s(instant(random));
+    const double killed_s = acquisition::host_now_s();
+    running.end(SIGKILL);
+    const acquisition::Recording read = acquisition::read_recording(file);
+    expect_prefix(read.module, whole.module);
+    expect_prefix(read.loadcell, whole.loadcell);
+    EXPECT_NE(read.cut_off, "");
+    worst_s = std::max(worst_s, killed_s - read.module.host_s.back());
+    std::filesystem::remove(file);
+  }
+  return worst_s;
+}
+
+}  // namespace searig
