@@ -5,6 +5,7 @@
 #include <random>
 
 #include "acquisition/clock/host_clock.h"
+#include "acquisition/clock/ping_clock.h"
 #include "acquisition/wire/line_faults.h"
 #include "tests/arduino/board/board_run.h"
 
@@ -12,6 +13,7 @@ namespace searig::board {
 namespace {
 
 using acquisition::LoadcellSample;
+using acquisition::Pong;
 
 BoardSettings hx711_board(double skew_ppm = 0.0) {
   BoardSettings settings;
@@ -38,6 +40,36 @@ TEST(BoardClock, IsFoundWithinTwoPpmInAMinute) {
     EXPECT_EQ(run.decoder.counters().lost, 0u);
     EXPECT_EQ(run.decoder.counters().parser.bad_crc, 0u);
   }
+}
+
+/// Pings through the real firmware: the board's clock is known to the host within a millisecond.
+TEST(BoardClock, IsPlacedWithinAMillisecondByPings) {
+  BoardRun run(hx711_board(-2000.0), [](double) { return 0.0; });
+  std::mt19937_64 random(8);
+  std::exponential_distribution<double> late(1.0 / 0.0005);
+  const std::size_t frame = acquisition::ping_frame(0, 0.0).size();
+  acquisition::PingClock clock({.least_there_s = acquisition::least_wire_s(frame, 115200),
+                                .least_back_s = acquisition::least_wire_s(frame, 115200)});
+  for (int second = 1; second <= 20; ++second) {
+    run.run_until(second + 0.001 * (second * 7 % 20));  // at any phase of the frames
+    const double asked_s = run.board.true_s();
+    run.messages.clear();
+    run.run_until(asked_s + late(random));
+    run.board.receive(acquisition::ping_frame(1, asked_s));
+    run.run_until(run.board.true_s() + 0.02);
+    ASSERT_EQ(run.all<Pong>().size(), 1u);
+    const Pong pong = run.all<Pong>().front();
+    clock.take({asked_s, pong.device_received_s, pong.at.device_s, pong.at.host_s + late(random)});
+  }
+  // The firmware's clock begins a moment after the reset, which Firmware.Stamps... measures.
+  const double device_s = 20.0, true_s = (device_s + 145e-6) / (1.0 - 2000e-6);
+  const auto estimate = clock.at(device_s);
+  ASSERT_TRUE(estimate);
+  const double error_s = estimate->theta_s - (true_s - device_s);
+  EXPECT_LT(std::abs(error_s), 1e-3);
+  EXPECT_LE(std::abs(error_s), estimate->ci95_s);
+  EXPECT_LT(estimate->ci95_s, 1e-3);
+  EXPECT_NEAR(estimate->rate, 1.0 / (1.0 - 2000e-6), 100e-6);
 }
 
 TEST(BoardOnABadLine, HandsOnNoSampleThatItDidNotSend) {
