@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "acquisition/clock/align_velocity.h"
 #include "acquisition/clock/doubt.h"
 #include "acquisition/clock/host_clock.h"
 
@@ -93,6 +94,24 @@ ClockMap on_one_clock(const Recording& recording) {
   return map;
 }
 
+/// Without stamps: the longest runs of both hold the motion that both saw.
+ClockMap by_velocity(const Stream& module, const Stream& device) {
+  const auto part = [](const Stream& stream, const std::vector<double>& values) {
+    const Run run = runs_of(stream)[longest_run(stream)];
+    return std::span(values).subspan(run.first, run.size());
+  };
+  const auto& input = device.channel("input_angle_rad");
+  const Alignment found = align_by_velocity(
+      part(module, module.t_s), part(module, module.channel("input_velocity_rad_s")),
+      part(device, device.t_s),
+      part(device, input.empty() ? device.channel("motor_angle_rad") : input));
+  ClockMap map{found.rate, found.offset_s, found.ci95_s, found.trusted, found.why, {}, {}};
+  const Run run = runs_of(device)[longest_run(device)];
+  map.module_runs.push_back(as_it_is(runs_of(module)[longest_run(module)]));
+  map.loadcell_runs.push_back({run.first, run.last, found.rate, found.offset_s});
+  return map;
+}
+
 }  // namespace
 
 ClockMap synchronise(const Recording& recording) {
@@ -135,6 +154,15 @@ ClockMap synchronise(const Recording& recording) {
                       1e3 * seen, 1e3 * latency.ci95_s)
                 : reason + ".";
   return map;
+}
+
+ClockMap synchronise(const Recording& recording, const Device& device) {
+  if (device.aligned_by == AlignedBy::velocity) return by_velocity(recording.module, device.stream);
+  Recording pair;
+  pair.module = recording.module;
+  pair.loadcell = device.stream;
+  pair.one_clock = device.aligned_by == AlignedBy::clock;
+  return synchronise(pair);
 }
 
 std::vector<double> on_module_clock(const Stream& stream, const std::vector<RunMap>& runs) {

@@ -43,6 +43,11 @@ struct ClockMap {
 /// without host stamps in both, map onto each other as they are.
 ClockMap synchronise(const Recording& recording);
 
+/// The clock of a further device brought to the module's, as the recording says it is to be
+/// aligned. The map is of the device's longest run; it is the device that stands where ClockMap
+/// says load cell.
+ClockMap synchronise(const Recording& recording, const Device& device);
+
 /// A stream's rows on the module's clock, NaN where a row's run could not be placed.
 std::vector<double> on_module_clock(const Stream& stream, const std::vector<RunMap>& runs);
 

@@ -130,6 +130,27 @@ StreamMapping stream_mapping(const Section& section) {
   return stream;
 }
 
+AlignedBy aligned_by(const Section& section) {
+  const std::string how = section.text("aligned_by").value_or("host");
+  if (how == "host") return AlignedBy::host;
+  if (how == "clock") return AlignedBy::clock;
+  if (how == "velocity") return AlignedBy::velocity;
+  section.refuse(section.table().get("aligned_by"),
+                 section.key("aligned_by") + " must be \"host\", \"clock\" or \"velocity\"");
+}
+
+/// [device.a], [device.b] ... in the order of their names.
+std::vector<DeviceMapping> device_mappings(const Section& root) {
+  std::vector<DeviceMapping> devices;
+  if (!root.table().contains("device")) return devices;
+  const Section all = root.section("device");
+  for (const auto& [name, entry] : all.table()) {
+    const Section section = all.section(name.str());
+    devices.push_back({stream_mapping(section), aligned_by(section)});
+  }
+  return devices;
+}
+
 toml::table parse(const std::filesystem::path& file) {
   const std::string text = read_text_file(file);
   try {
@@ -150,6 +171,13 @@ std::string missing_channel(const StreamMapping& stream,
                        [&](const ColumnMapping& c) { return c.channel == channel; });
   };
   if (!has("t_s")) return "t_s";
+  if (stream.name.starts_with("device.")) {
+    const auto supplies = [](const ColumnMapping& c) {
+      return c.channel != "t_s" && c.channel != "host_s" && c.channel != "seq";
+    };
+    return std::any_of(columns.begin(), columns.end(), supplies) ? ""
+                                                                 : "a channel beside its clock";
+  }
   if (stream.name == "loadcell")
     return has("force_n") || has("torque_nm") ? "" : "force_n (or torque_nm)";
   const bool input = has("input_angle_rad"), output = has("output_angle_rad");
@@ -173,6 +201,7 @@ RecordingMapping read_mapping(const std::filesystem::path& toml_file) {
   RecordingMapping mapping;
   mapping.module = stream_mapping(module);
   mapping.loadcell = stream_mapping(loadcell);
+  mapping.devices = device_mappings(root);
   mapping.gear_ratio = module.positive("gear_ratio").value_or(1.0);
   mapping.lever_arm_m = loadcell.nonzero("lever_arm_m");
   return mapping;

@@ -31,9 +31,15 @@ struct StreamMapping {
   std::optional<HostLatency> host_latency;
 };
 
+struct DeviceMapping {
+  StreamMapping stream;
+  AlignedBy aligned_by = AlignedBy::host;
+};
+
 struct RecordingMapping {
   StreamMapping module;
   StreamMapping loadcell;
+  std::vector<DeviceMapping> devices;
   double gear_ratio = 1.0;
   std::optional<double> lever_arm_m;
 };
@@ -52,6 +58,15 @@ std::string missing_channel(const StreamMapping& stream, const std::vector<Colum
 ///     [loadcell.columns]
 ///     t_s = { column = 0, unit = "ms" }                   # a number: the file has no header
 ///     current_a = { column = "I", unit = "mA", wraps_at = 65536 }  # 65533 is -3
+///
+/// A further device supplies channels that the module lacks; there may be several:
+///
+///     [device.encoder]
+///     file = "encoder.csv"
+///     aligned_by = "velocity"     # or "host" (the default), or "clock"; see AlignedBy
+///     [device.encoder.columns]
+///     t_s = { column = 0 }
+///     input_angle_rad = { column = 1, scale = 0.02 }
 ///
 /// Throws InputError that names the file, the line and the key.
 RecordingMapping read_mapping(const std::filesystem::path& toml_file);

@@ -44,6 +44,32 @@ bool same_clock_column(const StreamMapping& a, const StreamMapping& b) {
   return one && other ? one->column == other->column : one == other;
 }
 
+/// Channels have one source each, and what aligns a device has to be there.
+void check(const Device& device, const Recording& so_far, const fs::path& toml) {
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(toml.string() + ": " + device.stream.name + " " + what + ".");
+  };
+  for (const Channel& channel : device.stream.channels) {
+    if (channel.name == "seq") continue;
+    if (channel.name == "force_n" || channel.name == "torque_nm")
+      refuse("supplies " + channel.name + ", which only the load cell has");
+    if (!so_far.module.channel(channel.name).empty())
+      refuse("supplies " + channel.name + ", which the module already has");
+    for (const Device& other : so_far.devices)
+      if (!other.stream.channel(channel.name).empty())
+        refuse("supplies " + channel.name + ", which " + other.stream.name + " already does");
+  }
+  if (device.aligned_by == AlignedBy::host &&
+      (device.stream.host_s.empty() || so_far.module.host_s.empty()))
+    refuse("cannot be aligned by host: it needs host_s in it and in the module, or aligned_by");
+  if (device.aligned_by != AlignedBy::velocity) return;
+  if (so_far.module.channel("input_velocity_rad_s").empty())
+    refuse("cannot be aligned by velocity: the module has no input_velocity_rad_s");
+  if (device.stream.channel("input_angle_rad").empty() &&
+      device.stream.channel("motor_angle_rad").empty())
+    refuse("cannot be aligned by velocity: it has no input_angle_rad and no motor_angle_rad");
+}
+
 }  // namespace
 
 const std::vector<double>& Stream::channel(std::string_view wanted) const {
@@ -64,6 +90,11 @@ Recording read_recording(const fs::path& folder) {
   recording.gear_ratio = mapping.gear_ratio;
   recording.module = read_stream(mapping.module);
   recording.loadcell = read_stream(mapping.loadcell);
+  for (const DeviceMapping& mapped : mapping.devices) {
+    const Device device{read_stream(mapped.stream), mapped.aligned_by};
+    check(device, recording, toml);
+    recording.devices.push_back(device);
+  }
   if (recording.loadcell.channel("torque_nm").empty() && !mapping.lever_arm_m)
     throw InputError(toml.string() +
                      ": loadcell.lever_arm_m is missing; column force_n needs it to be a torque.");

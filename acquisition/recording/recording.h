@@ -49,6 +49,19 @@ struct Stream {
   const std::vector<double>& channel(std::string_view name) const;
 };
 
+/// What a further device's clock is brought to the module's by.
+enum class AlignedBy {
+  host,      ///< arrival stamps in both
+  clock,     ///< nothing: it is the module's clock
+  velocity,  ///< its angle's derivative, held against the module's input_velocity_rad_s
+};
+
+/// A further device, on a clock of its own, that supplies channels which the module lacks.
+struct Device {
+  Stream stream;  ///< named "device.<its name>"
+  AlignedBy aligned_by = AlignedBy::host;
+};
+
 /// Something that befell a device or the recording itself while it ran.
 struct Event {
   double host_s = 0.0;
@@ -63,6 +76,7 @@ struct Recording {
   std::filesystem::path path;
   Stream module;
   Stream loadcell;
+  std::vector<Device> devices;
   double gear_ratio = 1.0;
   double lever_arm_m = 1.0;
   bool one_clock = false;  ///< both streams already share a clock

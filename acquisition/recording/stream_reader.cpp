@@ -24,10 +24,10 @@ std::vector<ColumnMapping> native_columns(const CsvFile& file, const std::string
       columns.push_back({std::string(channel), std::string(channel), 1.0, 0.0, {}});
   };
   for (const std::string_view channel : {"t_s", "host_s", "seq"}) take(channel);
-  if (stream == "module")
-    for (const std::string_view channel : kModuleChannels) take(channel);
-  else
+  if (stream == "loadcell")
     for (const std::string_view channel : kLoadcellChannels) take(channel);
+  else  // the module, or a device that supplies what the module lacks
+    for (const std::string_view channel : kModuleChannels) take(channel);
   return columns;
 }
 

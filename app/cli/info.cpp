@@ -51,18 +51,22 @@ nlohmann::json events_answer(const acquisition::Recording& recording) {
 }
 
 nlohmann::json answer(const acquisition::Recording& recording, const acquisition::ClockMap& map) {
-  return {{"format", "searig-info/1"},
-          {"name", recording.name},
-          {"gear_ratio", recording.gear_ratio},
-          {"lever_arm_m", recording.lever_arm_m},
-          {"one_clock", recording.one_clock},
-          {"clocks_trusted", map.trusted},
-          {"clocks_why", map.why},
-          {"streams", {stream_answer(recording.module), stream_answer(recording.loadcell)}},
-          {"recorded", recording.recorded},
-          {"events", events_answer(recording)},
-          {"cut_off", recording.cut_off},
-          {"switched_off", switched_off(recording)}};
+  nlohmann::json out{
+      {"format", "searig-info/1"},
+      {"name", recording.name},
+      {"gear_ratio", recording.gear_ratio},
+      {"lever_arm_m", recording.lever_arm_m},
+      {"one_clock", recording.one_clock},
+      {"clocks_trusted", map.trusted},
+      {"clocks_why", map.why},
+      {"streams", {stream_answer(recording.module), stream_answer(recording.loadcell)}},
+      {"recorded", recording.recorded},
+      {"events", events_answer(recording)},
+      {"cut_off", recording.cut_off},
+      {"switched_off", switched_off(recording)}};
+  for (const auto& device : recording.devices)
+    out["streams"].push_back(stream_answer(device.stream));
+  return out;
 }
 
 void say_stream(const acquisition::Stream& stream) {
@@ -90,6 +94,7 @@ void say(const acquisition::Recording& recording, const acquisition::ClockMap& m
             << recording.lever_arm_m << " m\n";
   say_stream(recording.module);
   say_stream(recording.loadcell);
+  for (const auto& device : recording.devices) say_stream(device.stream);
   std::cout << "clocks: " << (map.trusted ? "" : "NOT TRUSTED: ") << map.why << '\n';
   say_events(recording);
   if (!recording.cut_off.empty())

@@ -1,6 +1,8 @@
 // searig sync: the load cell's clock held against the module's.
 #include <iostream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "acquisition/clock/synchronise.h"
 #include "app/cli/commands.h"
@@ -15,30 +17,58 @@ struct Options {
   std::string json;
 };
 
-nlohmann::json answer(const acquisition::Recording& recording, const acquisition::ClockMap& map) {
-  return {{"format", "searig-sync/1"},
-          {"loadcell_to_module",
-           {{"rate", map.rate}, {"offset_s", map.offset_s}, {"ci95_s", map.ci95_s}}},
-          {"trusted", map.trusted},
-          {"why", map.why},
-          {"streams", {stream_json(recording.module), stream_json(recording.loadcell)}}};
+using acquisition::ClockMap;
+using acquisition::Recording;
+
+nlohmann::json map_json(const ClockMap& map) {
+  return {{"rate", map.rate}, {"offset_s", map.offset_s}, {"ci95_s", map.ci95_s}};
 }
 
-void say(const acquisition::Recording& recording, const acquisition::ClockMap& map) {
-  std::printf("module time = %.9f * load-cell time %+.6f s, +- %.2f ms (95 %%)\n", map.rate,
-              map.offset_s, 1e3 * map.ci95_s);
-  std::printf("the load cell's clock runs %+.1f ppm against the module's\n",
+/// With {"devices": [{"name", "to_module": {...}, "trusted", "why"}]} where there are any.
+nlohmann::json answer(const Recording& recording, const ClockMap& map,
+                      const std::vector<ClockMap>& devices) {
+  nlohmann::json out{{"format", "searig-sync/1"},
+                     {"loadcell_to_module", map_json(map)},
+                     {"trusted", map.trusted},
+                     {"why", map.why},
+                     {"streams", {stream_json(recording.module), stream_json(recording.loadcell)}}};
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    out["devices"].push_back({{"name", recording.devices[i].stream.name},
+                              {"to_module", map_json(devices[i])},
+                              {"trusted", devices[i].trusted},
+                              {"why", devices[i].why}});
+    out["streams"].push_back(stream_json(recording.devices[i].stream));
+  }
+  return out;
+}
+
+void say_map(const ClockMap& map, const std::string& short_name, const std::string& whose) {
+  std::printf("module time = %.9f * %s time %+.6f s, +- %.2f ms (95 %%)\n", map.rate,
+              short_name.c_str(), map.offset_s, 1e3 * map.ci95_s);
+  std::printf("%s clock runs %+.1f ppm against the module's\n", whose.c_str(),
               1e6 * (1.0 / map.rate - 1.0));
   std::printf("%s: %s\n", map.trusted ? "trusted" : "NOT TRUSTED", map.why.c_str());
+}
+
+void say(const Recording& recording, const ClockMap& map, const std::vector<ClockMap>& devices) {
+  say_map(map, "load-cell", "the load cell's");
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    const std::string& name = recording.devices[i].stream.name;
+    say_map(devices[i], name, name + "'s");
+  }
   std::cout << stream_line(recording.module) << '\n' << stream_line(recording.loadcell) << '\n';
+  for (const auto& device : recording.devices) std::cout << stream_line(device.stream) << '\n';
   if (!recording.cut_off.empty()) std::cout << recording.cut_off << '\n';
 }
 
 void run(const Options& options) {
-  const acquisition::Recording recording = acquisition::read_recording(options.recording);
-  const acquisition::ClockMap map = acquisition::synchronise(recording);
-  if (options.json != "-") say(recording, map);
-  if (!options.json.empty()) write_json(answer(recording, map), options.json);
+  const Recording recording = acquisition::read_recording(options.recording);
+  const ClockMap map = acquisition::synchronise(recording);
+  std::vector<ClockMap> devices;
+  for (const auto& device : recording.devices)
+    devices.push_back(acquisition::synchronise(recording, device));
+  if (options.json != "-") say(recording, map, devices);
+  if (!options.json.empty()) write_json(answer(recording, map, devices), options.json);
 }
 
 }  // namespace

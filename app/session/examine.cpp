@@ -21,6 +21,11 @@ Examined examine(const std::vector<const Session*>& sessions, std::optional<esti
       notes.push_back("the clocks of " + session->recording.name +
                       " are not to be trusted: " + session->clock.why);
     }
+    for (std::size_t i = 0; i < session->devices.size(); ++i)
+      if (!session->devices[i].trusted)
+        notes.push_back(session->recording.devices[i].stream.name + " of " +
+                        session->recording.name +
+                        " is not placed in time for sure: " + session->devices[i].why);
   }
   return out;
 }

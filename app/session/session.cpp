@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "acquisition/clock/placed_rows.h"
+#include "acquisition/error.h"
 #include "acquisition/recording/mcap/read_mcap.h"
 #include "acquisition/recording/text_file.h"
+#include "app/session/device_channels.h"
 
 namespace searig::app {
 namespace {
@@ -18,8 +20,13 @@ using acquisition::PlacedRows;
 using acquisition::Recording;
 using acquisition::Stream;
 
-estimator::ModuleSignals module_signals(const Stream& module, const PlacedRows& rows) {
-  const auto take = [&](std::string_view name) { return at_rows(module.channel(name), rows); };
+/// `supplied`: by further devices, at the same rows.
+estimator::ModuleSignals module_signals(const Stream& module, const PlacedRows& rows,
+                                        const std::vector<acquisition::Channel>& supplied) {
+  const auto take = [&](std::string_view name) {
+    const auto by_device = std::ranges::find(supplied, name, &acquisition::Channel::name);
+    return by_device != supplied.end() ? by_device->values : at_rows(module.channel(name), rows);
+  };
   estimator::ModuleSignals signals;
   signals.t_s = rows.t_s;
   signals.input_angle_rad = take("input_angle_rad");
@@ -64,8 +71,16 @@ Session session_of(acquisition::Recording recording) {
   session.clock = acquisition::synchronise(session.recording);
   const Stream& module = session.recording.module;
   const Stream& loadcell = session.recording.loadcell;
+  for (const acquisition::Device& device : session.recording.devices)
+    session.devices.push_back(acquisition::synchronise(session.recording, device));
+  session.module_rows = covered_rows(session.recording, session.devices,
+                                     acquisition::place_rows(module, session.clock.module_runs));
+  if (session.module_rows.rows.empty())
+    throw acquisition::InputError(session.recording.path.string() +
+                                  ": the further devices cover no row of the module.");
   session.signals.module =
-      module_signals(module, acquisition::place_rows(module, session.clock.module_runs));
+      module_signals(module, session.module_rows,
+                     device_channels(session.recording, session.devices, session.module_rows));
   session.signals.loadcell = loadcell_signals(
       session.recording, acquisition::place_rows(loadcell, session.clock.loadcell_runs));
   session.signals.clock_ci95_s = session.clock.ci95_s;

@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
+#include "acquisition/clock/placed_rows.h"
 #include "acquisition/clock/synchronise.h"
 #include "acquisition/recording/recording.h"
 #include "estimator/evaluation/evaluation.h"
@@ -14,11 +16,15 @@ namespace searig::app {
 
 struct Session {
   acquisition::Recording recording;
-  acquisition::ClockMap clock;
+  acquisition::ClockMap clock;                 ///< the load cell's
+  std::vector<acquisition::ClockMap> devices;  ///< of recording.devices, in their order
+  acquisition::PlacedRows module_rows;         ///< the rows of the module that signals hold
   estimator::Signals signals;
 };
 
-/// Reads and synchronises. Throws acquisition::InputError.
+/// Reads and synchronises. Where a further device supplies a channel, it is brought to the module's
+/// rows along straight lines between its own; rows of the module that it does not cover are left
+/// out of the signals. Throws acquisition::InputError.
 Session open_session(const std::filesystem::path& recording);
 
 /// The same for a recording that is already in memory.

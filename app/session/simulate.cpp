@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "acquisition/clock/placed_rows.h"
+#include "app/session/device_channels.h"
 #include "estimator/model/predict.h"
 
 namespace searig::app {
@@ -87,9 +88,10 @@ Simulated simulate(const estimator::Model& model, const Session& like,
                                 " has no deflection to simulate a spring with");
   }
   Simulated out{like.recording, {}};
-  out.recording.module =
-      rows_of(like.recording.module,
-              acquisition::place_rows(like.recording.module, like.clock.module_runs));
+  out.recording.module = rows_of(like.recording.module, like.module_rows);
+  for (auto& channel : device_channels(like.recording, like.devices, like.module_rows))
+    set_channel(out.recording.module, channel.name, std::move(channel.values));
+  out.recording.devices.clear();
   out.recording.loadcell =
       rows_of(like.recording.loadcell,
               acquisition::place_rows(like.recording.loadcell, like.clock.loadcell_runs));

@@ -1,5 +1,6 @@
 #include "app/session/stream_facts.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "acquisition/clock/host_clock.h"
@@ -47,7 +48,12 @@ std::string stream_line(const Stream& stream) {
 }
 
 std::vector<std::string> switched_off(const acquisition::Recording& recording) {
-  const auto has = [&](const char* channel) { return !recording.module.channel(channel).empty(); };
+  const auto has = [&](const char* channel) {
+    return !recording.module.channel(channel).empty() ||
+           std::ranges::any_of(recording.devices, [&](const acquisition::Device& device) {
+             return !device.stream.channel(channel).empty();
+           });
+  };
   std::vector<std::string> sentences;
   if (!has("deflection_rad") && !(has("input_angle_rad") && has("output_angle_rad")))
     sentences.push_back("no deflection: nothing can be said of the spring.");
