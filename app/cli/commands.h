@@ -5,6 +5,7 @@
 
 namespace searig::app {
 
+void add_calibrate(CLI::App& app);
 void add_record(CLI::App& app);
 void add_import(CLI::App& app);
 void add_recover(CLI::App& app);

@@ -7,7 +7,9 @@
 #include <memory>
 #include <stdexcept>
 
+#include "acquisition/calibration/loadcell_calibration.h"
 #include "acquisition/recorder/recorder.h"
+#include "acquisition/recording/text_file.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "app/cli/progress_line.h"
@@ -24,6 +26,7 @@ struct Options {
   std::filesystem::path out;
   double seconds = std::numeric_limits<double>::infinity();
   std::optional<double> lever_arm_m;
+  std::optional<std::string> calibration;
   double least_free_gb = 1.0;
 };
 
@@ -79,6 +82,13 @@ acquisition::RecorderOptions recorder_options(const Options& options) {
   out.seconds = options.seconds;
   out.started = utc(unix_now_s());
   out.lever_arm_m = options.lever_arm_m;
+  if (options.calibration) {
+    const std::string text = acquisition::read_text_file(*options.calibration);
+    const auto calibration = acquisition::parse_calibration(text, *options.calibration);
+    out.loadcell = {calibration.tare_counts, calibration.newton_per_count};
+    out.calibration = text;
+    if (!out.lever_arm_m) out.lever_arm_m = calibration.lever_arm_m;
+  }
   if (!out.lever_arm_m && simulated(options.loadcell))
     out.lever_arm_m = RigSettings{}.parameters.lever.arm_m;
   return out;
@@ -169,6 +179,8 @@ void add_record(CLI::App& app) {
       ->add_option("--lever-arm", options->lever_arm_m,
                    "From the joint to the load cell, m; negative where it pulls the other way")
       ->check(CLI::Number);
+  command->add_option("--calibration", options->calibration,
+                      "The load cell's, from searig calibrate; else what it has stored itself");
   command
       ->add_option("--least-free-gb", options->least_free_gb,
                    "Stop, or do not begin, where the disk has less room (default 1)")

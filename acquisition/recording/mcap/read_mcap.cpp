@@ -76,14 +76,20 @@ class SettingsCollector : public Handler {
   int channel_ = -1;
 };
 
-/// "Recorded 2026-11-22T01:05:03Z by searig 0.1.0 from sim: and sim:."
+/// "Recorded 2026-11-22T01:05:03Z by searig 0.1.0 from sim: and sim:.", and how the load cell was
+/// calibrated: its first line says that in words, behind a #.
 std::string recorded_by(const Settings& settings) {
   if (settings.started.empty()) return {};
   const auto source = [](const StreamSettings& stream) {
-    return stream.source + (stream.device.empty() ? "" : " (" + stream.device + ")");
+    std::string words = stream.source;
+    if (!stream.device.empty()) words.append(" (").append(stream.device).append(")");
+    return words;
   };
-  return "Recorded " + settings.started + " by " + settings.program + " from " +
-         source(settings.module) + " and " + source(settings.loadcell) + ".";
+  std::string words = "Recorded " + settings.started + " by " + settings.program + " from ";
+  words.append(source(settings.module)).append(" and ").append(source(settings.loadcell) + ".");
+  if (const std::string& toml = settings.calibration; toml.starts_with("# "))
+    words.append("\n").append(toml, 2, toml.find('\n') - 2);
+  return words;
 }
 
 }  // namespace
