@@ -25,6 +25,7 @@ struct Options {
   std::vector<std::string> recordings;
   std::optional<std::string> model;
   std::string json, report, write_model;
+  std::string control;
   bool each = false;
   unsigned jobs = 0;
 };
@@ -48,13 +49,24 @@ void note_model_of_others(const Options& options, Outcome& outcome) {
   }
 }
 
+const char* const no_noise_model = "no-noise-model";
+const char* const no_adequacy_test = "no-adequacy-test";
+const char* const adapting_stiffness = "adapting-stiffness";
+
+estimator::Method method_of(const std::string& control) {
+  return {control != no_noise_model, control != no_adequacy_test, control != adapting_stiffness};
+}
+
 Outcome diagnose_together(const std::vector<std::string>& recordings, const Options& options,
                           const estimator::Progress& progress) {
   std::vector<Session> sessions;
   for (const auto& recording : recordings) sessions.push_back(open_session(recording));
   std::vector<const Session*> together;
   for (const auto& session : sessions) together.push_back(&session);
-  Outcome out{examine(together, find_model(recordings.front(), options.model), progress), {}, {}};
+  Outcome out{examine(together, find_model(recordings.front(), options.model), progress,
+                      method_of(options.control)),
+              {},
+              {}};
   out.name = out.parts.front().name;
   return out;
 }
@@ -159,6 +171,10 @@ void add_diagnose(CLI::App& app) {
   each->excludes(report);
   command->add_option("--jobs", options->jobs,
                       "With --each, recordings at the same time (0: one per core)");
+  command
+      ->add_option("--control", options->control,
+                   "Leave part of the method out, to see what it is worth (docs/proving.md)")
+      ->check(CLI::IsMember({no_noise_model, no_adequacy_test, adapting_stiffness}));
   command->footer(
       "Example:\n  searig diagnose my_recording --json answer.json --report report.html "
       "--write-model better.toml");

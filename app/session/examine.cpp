@@ -5,13 +5,13 @@
 namespace searig::app {
 
 Examined examine(const std::vector<const Session*>& sessions, std::optional<estimator::Model> given,
-                 const estimator::Progress& progress) {
+                 const estimator::Progress& progress, const estimator::Method& method) {
   Examined out;
   Merged merged = merge(sessions);
   out.signals = std::move(merged.signals);
   out.parts = std::move(merged.parts);
   out.given = std::move(given);
-  out.diagnosis = estimator::diagnose(out.signals, out.given, progress);
+  out.diagnosis = estimator::diagnose(out.signals, out.given, progress, method);
   auto& notes = out.diagnosis.notes;
   notes.insert(notes.end(), merged.notes.begin(), merged.notes.end());
   for (const Session* session : sessions) {

@@ -20,6 +20,6 @@ struct Examined {
 /// One model held against all the recordings together. What was left out of them, and clocks that
 /// are not to be trusted, go into the diagnosis's notes. Throws as estimator::diagnose() does.
 Examined examine(const std::vector<const Session*>& sessions, std::optional<estimator::Model> given,
-                 const estimator::Progress& progress = {});
+                 const estimator::Progress& progress = {}, const estimator::Method& method = {});
 
 }  // namespace searig::app

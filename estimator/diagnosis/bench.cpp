@@ -41,7 +41,8 @@ Seen seen_by(const Hypothesis& hypothesis) {
   return seen;
 }
 
-Bench::Bench(Experiment experiment) : experiment_(std::move(experiment)) {
+Bench::Bench(Experiment experiment, Method method)
+    : experiment_(std::move(experiment)), method_(method) {
   torque_ = Eigen::VectorXd::Zero(Eigen::Index(experiment_.motion.size()));
 }
 
@@ -128,9 +129,12 @@ Eigen::MatrixXd Bench::nuisances() const {
   const Motion& m = e.motion;
   const Eigen::Index split = e.loadcell_rows(), rows = e.rows();
   const auto offsets = Eigen::Index(e.part_starts_s.size());
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(total_rows(), offsets + prior_count);
+  const Eigen::MatrixXd adapting = adapting_stiffness();
+  Eigen::MatrixXd out =
+      Eigen::MatrixXd::Zero(total_rows(), adapting.cols() + offsets + prior_count);
+  out.leftCols(adapting.cols()) = adapting;
   for (Eigen::Index i = 0; i < (e.has_spring() ? split : rows); ++i)
-    out(i, Eigen::Index(e.part(i))) = 1.0;  // the load cell's offset
+    out(i, adapting.cols() + Eigen::Index(e.part(i))) = 1.0;  // the load cell's offset
   auto held = out.rightCols(prior_count);
   if (e.has_spring()) {
     const double w = e.loadcell_width_s;
@@ -148,6 +152,17 @@ Eigen::MatrixXd Bench::nuisances() const {
   for (Eigen::Index i = 0; i < prior_count; ++i)  // unit prior: coefficients count in sd's
     if (held.col(i).squaredNorm() > 0) held(rows + i, i) = 1.0;
   return out;
+}
+
+/// Changes of the stiffness at knots in time, straight in between; no columns where it stays.
+Eigen::MatrixXd Bench::adapting_stiffness() const {
+  const Motion& m = experiment_.motion;
+  if (method_.stiffness_stays || !experiment_.has_spring()) return Eigen::MatrixXd(total_rows(), 0);
+  const Eigen::ArrayXd t = as_array(m.t) / Method::adapting_s, theta = as_array(m.theta);
+  Eigen::MatrixXd features(Eigen::Index(m.size()), Eigen::Index(t.maxCoeff()));
+  for (Eigen::Index knot = 0; knot < features.cols(); ++knot)
+    features.col(knot) = (theta * (1.0 - (t - double(knot)).abs()).max(0.0)).matrix();
+  return stack(Path::spring, features, 0.0, 0.0);
 }
 
 void Bench::learn_torque(const Hypothesis& hypothesis) {
@@ -204,7 +219,7 @@ void Bench::learn_noise(const Hypothesis& hypothesis, const std::vector<Piece>& 
   const Eigen::VectorXd x =
       normal.selfadjointView<Eigen::Lower>().ldlt().solve(all.transpose() * right);
   const Eigen::VectorXd residual = right - all * x;
-  set_noise(Whitening(experiment_, residual.head(experiment_.rows())));
+  set_noise(Whitening(experiment_, residual.head(experiment_.rows()), method_.noise_has_memory));
 }
 
 Eigen::MatrixXd Bench::assemble(const Hypothesis& hypothesis, Fit& fit, bool whitened) const {

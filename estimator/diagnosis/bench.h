@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "estimator/diagnosis/experiment.h"
+#include "estimator/diagnosis/method.h"
 #include "estimator/diagnosis/noise.h"
 #include "estimator/diagnosis/regression.h"
 #include "estimator/physics/effect.h"
@@ -50,13 +51,15 @@ struct Fit {
   }
 };
 
-/// Nuisances, always refitted: the load cell's offset, one per part; its delay within what the clock map leaves
-/// open; the shape of its averaging; a small skew and width between current and angles.
+/// Nuisances, always refitted: the load cell's offset, one per part; its delay within what the
+/// clock map leaves open; the shape of its averaging; a small skew and width between current and
+/// angles.
 class Bench {
  public:
-  explicit Bench(Experiment experiment);
+  explicit Bench(Experiment experiment, Method method = {});
 
   const Experiment& experiment() const { return experiment_; }
+  const Method& method() const { return method_; }
   const Whitening& whitening() const { return *whitening_; }
 
   /// Learns the noise from what the hypothesis leaves once `cleaners` have taken out of it what
@@ -94,9 +97,11 @@ class Bench {
   static constexpr double nuisance_bound = 2.2;  // standard deviations of the prior
 
   Eigen::MatrixXd nuisances() const;
+  Eigen::MatrixXd adapting_stiffness() const;
   Eigen::MatrixXd assemble(const Hypothesis& hypothesis, Fit& fit, bool whitened) const;
 
   Experiment experiment_;
+  Method method_;
   std::optional<Whitening> whitening_;
   Eigen::VectorXd torque_;  // on the motion's samples, as the load cell would see it undisturbed
   Eigen::MatrixXd raw_nuisance_, nuisance_;

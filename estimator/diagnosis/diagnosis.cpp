@@ -27,13 +27,16 @@ Model papers_model() {
 
 class Diagnostician {
  public:
-  Diagnostician(const Signals& signals, const std::optional<Model>& model, const Progress& progress)
+  Diagnostician(const Signals& signals, const std::optional<Model>& model, const Progress& progress,
+                const Method& method)
       : has_model_(model.has_value()),
         given_(model ? *model : papers_model()),
         progress_(progress),
-        bench_(prepare(signals, given_.get("drive.coulomb", "smoothing_rad_s").value_or(0.01))),
+        bench_(prepare(signals, given_.get("drive.coulomb", "smoothing_rad_s").value_or(0.01)),
+               method),
         dense_(dense_map(bench_.experiment().motion)),
-        atoms_(unnamed_atoms(bench_.experiment().motion)),
+        atoms_(method.looks_for_nameless ? unnamed_atoms(bench_.experiment().motion)
+                                         : std::vector<Atom>{}),
         search_(bench_, dense_, atoms_, given_) {}
 
   Diagnosis run() {
@@ -131,8 +134,8 @@ class Diagnostician {
 }  // namespace
 
 Diagnosis diagnose(const Signals& signals, const std::optional<Model>& model,
-                   const Progress& progress) {
-  return Diagnostician(signals, model, progress).run();
+                   const Progress& progress, const Method& method) {
+  return Diagnostician(signals, model, progress, method).run();
 }
 
 }  // namespace searig::estimator

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "estimator/diagnosis/method.h"
 #include "estimator/model/model.h"
 #include "estimator/signals.h"
 
@@ -102,8 +103,9 @@ struct Diagnosis {
 using Progress = std::function<bool(const std::string& doing, double share)>;
 
 /// Throws std::invalid_argument where there is too little to compare. Without a model, the paper's
-/// two equations with unknown numbers. Deterministic; starts no thread.
+/// two equations with unknown numbers. Deterministic; starts no thread. `method` is for negative
+/// controls.
 Diagnosis diagnose(const Signals& signals, const std::optional<Model>& model,
-                   const Progress& progress = {});
+                   const Progress& progress = {}, const Method& method = {});
 
 }  // namespace searig::estimator

@@ -51,7 +51,7 @@ struct LoadcellZero {
 
 LoadcellZero loadcell_zero(const Bench& bench, const Solution& solution) {
   const Eigen::Index end = solution.coefficients.size() - Bench::prior_count;
-  const Eigen::Index begin = solution.coefficients.size() - bench.nuisance_count();
+  const Eigen::Index begin = end - Eigen::Index(bench.experiment().part_starts_s.size());
   LoadcellZero out;
   double most = -1.0;
   for (Eigen::Index i = begin; i < end; ++i) {

@@ -126,9 +126,9 @@ double state_findings(const Bench& bench, const Account& account, const PathResi
     if (given.has(p.effect)) out.numbers.push_back(p);
   out.unexplained = nameless(bench, final, after, atoms, out);
   for (const auto look : {wanders, blows, loud_while})
-    if (!out.unexplained) out.unexplained = look(bench, final);
+    if (!out.unexplained && bench.method().looks_for_nameless) out.unexplained = look(bench, final);
   doubt_beside_unexplained(out);
-  withdraw_contradicted(account, out);
+  if (bench.method().looks_for_nameless) withdraw_contradicted(account, out);
   const double zero_nm = settle_offsets(bench, final, fit, out);
   merge_late(out);
   leave_to_the_clock(bench, out);

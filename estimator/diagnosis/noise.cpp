@@ -58,11 +58,12 @@ Autoregression fit_autoregression(const Eigen::VectorXd& residual, const std::ve
   return out;
 }
 
-Whitening::Whitening(const Experiment& e, const Eigen::VectorXd& residual)
+Whitening::Whitening(const Experiment& e, const Eigen::VectorXd& residual, bool memory)
     : split_(e.loadcell_rows()), rows_(e.rows()), weight_(e.weight) {
   const auto split = e.usable.begin() + split_;
-  loadcell_ = fit_autoregression(residual.head(split_), {e.usable.begin(), split}, order);
-  drive_ = fit_autoregression(residual.tail(rows_ - split_), {split, e.usable.end()}, order);
+  const int terms = memory ? order : 0;
+  loadcell_ = fit_autoregression(residual.head(split_), {e.usable.begin(), split}, terms);
+  drive_ = fit_autoregression(residual.tail(rows_ - split_), {split, e.usable.end()}, terms);
   counts_.assign(std::size_t(rows_), false);
   const auto mark = [&](Eigen::Index from, Eigen::Index to) {
     if (to - from < 3) return;
@@ -87,7 +88,7 @@ Eigen::MatrixXd Whitening::operator()(const Eigen::MatrixXd& columns) const {
       if (!counts_[std::size_t(i)]) continue;
       const Autoregression& ar = i < split_ ? loadcell_ : drive_;
       double e = x[i];
-      for (int k = 1; k <= order; ++k) e -= ar.phi[k - 1] * x[i - k];
+      for (Eigen::Index k = 1; k <= ar.phi.size(); ++k) e -= ar.phi[k - 1] * x[i - k];
       y[i] = weight_[std::size_t(i)] * e / ar.sd;
     }
     for (Eigen::Index i = rows_; i < columns.rows(); ++i) y[i] = x[i];  // prior rows are white

@@ -24,7 +24,8 @@ class Whitening {
  public:
   static constexpr int order = 5;
 
-  Whitening(const Experiment& experiment, const Eigen::VectorXd& residual);
+  /// Without memory the noise is taken to be white.
+  Whitening(const Experiment& experiment, const Eigen::VectorXd& residual, bool memory = true);
 
   Eigen::MatrixXd operator()(const Eigen::MatrixXd& columns) const;
   const std::vector<bool>& counts() const { return counts_; }

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "tests/proving/plan/generate.h"
+#include "tests/proving/score/controls.h"
 #include "tests/proving/score/score.h"
 
 namespace {
@@ -25,10 +26,11 @@ CLI::App* add_generate(CLI::App& app, GenerateOptions& o) {
   return c;
 }
 
-CLI::App* add_score(CLI::App& app, searig::proving::ScoreOptions& o) {
-  auto* c = app.add_subcommand(
-      "score", "Run TOOL diagnose on every recording and hold it against the truth");
-  c->footer("Example: searig-prove score build/release/searig /tmp/ground --out results.json");
+CLI::App* add_scoring(CLI::App& app, const std::string& name, const std::string& what,
+                      searig::proving::ScoreOptions& o) {
+  auto* c = app.add_subcommand(name, what);
+  c->footer("Example: searig-prove " + name +
+            " build/release/searig /tmp/ground --out results.json");
   c->add_option("tool", o.tool.program, "The program that diagnoses")->required();
   c->add_option("directory", o.directory, "What generate wrote, or the practice folder")
       ->required();
@@ -54,7 +56,10 @@ int main(int argc, char** argv) {
   GenerateOptions making;
   ScoreOptions scoring;
   const CLI::App* make = add_generate(app, making);
-  add_score(app, scoring);
+  add_scoring(app, "score", "Run TOOL diagnose on every recording and hold it against the truth",
+              scoring);
+  const CLI::App* control = add_scoring(
+      app, "controls", "The same with parts of the method left out, side by side", scoring);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -63,6 +68,8 @@ int main(int argc, char** argv) {
   try {
     if (*make)
       generate(plan_set(making.set, making.seed, making.count), making.out, making.threads);
+    else if (*control)
+      controls(scoring, std::cout);
     else
       score(scoring, std::cout);
     return 0;

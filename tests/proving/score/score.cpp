@@ -33,7 +33,7 @@ Runs obtain(const ScoreOptions& o, const std::vector<std::string>& names) {
 
 }  // namespace
 
-void score(const ScoreOptions& o, std::ostream& out) {
+nlohmann::json score(const ScoreOptions& o, std::ostream& out) {
   auto truths = read_truths(o.directory / "answers.json");
   std::erase_if(truths, [&](const auto& t) {
     return !o.only.empty() && t.second.stratum != o.only && !t.first.starts_with(o.only);
@@ -59,6 +59,7 @@ void score(const ScoreOptions& o, std::ostream& out) {
   if (!o.save_results.empty())
     std::ofstream(o.save_results)
         << nlohmann::json{{"results", to_json(runs)}, {"summary", summary}}.dump(1) << '\n';
+  return summary;
 }
 
 }  // namespace searig::proving

@@ -18,6 +18,7 @@ struct ScoreOptions {
   std::filesystem::path load_results;  ///< score these instead of running the tool
 };
 
-void score(const ScoreOptions& options, std::ostream& out);
+/// Returns the summary: reliability and targets.
+nlohmann::json score(const ScoreOptions& options, std::ostream& out);
 
 }  // namespace searig::proving
