@@ -1,5 +1,6 @@
 // searig diagnose: where recording and simulation differ, what physics is missing, and what it
 // brings.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -17,6 +18,7 @@
 #include "app/report/diagnosis_report.h"
 #include "app/report/diagnosis_words.h"
 #include "app/session/examine.h"
+#include "app/session/motion_spec.h"
 
 namespace searig::app {
 namespace {
@@ -24,7 +26,7 @@ namespace {
 struct Options {
   std::vector<std::string> recordings;
   std::optional<std::string> model;
-  std::string json, report, write_model;
+  std::string json, report, write_model, write_experiment;
   std::string control;
   bool each = false;
   unsigned jobs = 0;
@@ -89,6 +91,16 @@ void say(const Outcome& outcome) {
   for (const auto& note : outcome.diagnosis.notes) std::printf("  Note: %s.\n", note.c_str());
 }
 
+/// The proposal for the finding that is least sure.
+void write_experiment(const Outcome& outcome, const std::string& file) {
+  const auto& findings = outcome.diagnosis.findings;
+  const auto open = std::find_if(findings.rbegin(), findings.rend(),
+                                 [](const auto& f) { return f.next_motion.has_value(); });
+  if (open == findings.rend())
+    throw std::runtime_error(file + " is not written: no motion would tell more here");
+  acquisition::write_text_file(file, to_toml(*open->next_motion, outcome.diagnosis.extended));
+}
+
 void run_together(const Options& options) {
   Outcome outcome;
   {
@@ -111,6 +123,7 @@ void run_together(const Options& options) {
   if (!options.write_model.empty()) {
     acquisition::write_text_file(options.write_model, to_toml(outcome.diagnosis.extended));
   }
+  if (!options.write_experiment.empty()) write_experiment(outcome, options.write_experiment);
 }
 
 /// Each by itself. One bad recording does not keep the others from their answer, but the exit code
@@ -165,10 +178,14 @@ void add_diagnose(CLI::App& app) {
                                      "Write a report with pictures as one HTML file");
   auto* model = command->add_option("--write-model", options->write_model,
                                     "Write the model with what was missing, as a model file");
+  auto* experiment = command->add_option(
+      "--write-experiment", options->write_experiment,
+      "Write the motion that would settle most, as a spec for the rig and for searig simulate");
   auto* each =
       command->add_flag("--each", options->each, "Diagnose each recording by itself instead");
   each->excludes(model);
   each->excludes(report);
+  each->excludes(experiment);
   command->add_option("--jobs", options->jobs,
                       "With --each, recordings at the same time (0: one per core)");
   command

@@ -21,6 +21,15 @@ json located_json(const estimator::Located& located) {
           {"intervals_s", intervals}};
 }
 
+json motion_json(const std::optional<estimator::PlannedMotion>& motion) {
+  if (!motion) return nullptr;
+  return {{"kind", estimator::name_of(motion->kind)},
+          {"seconds", motion->seconds},
+          {"amplitudes_rad", motion->amplitudes_rad},
+          {"frequencies_hz", motion->frequencies_hz},
+          {"output_rad", motion->output_rad}};
+}
+
 json finding_json(const estimator::Finding& finding) {
   json alternatives = json::array(), parameters = json::array();
   double unnamed = 0.0;
@@ -41,7 +50,8 @@ json finding_json(const estimator::Finding& finding) {
           {"parameters", parameters},
           {"located", located_json(finding.located)},
           {"heldout_rmse_nm", {{"before", finding.before_nm}, {"after", finding.after_nm}}},
-          {"next_experiment", finding.next_experiment}};
+          {"next_experiment", finding.next_experiment},
+          {"next_motion", motion_json(finding.next_motion)}};
 }
 
 json path_json(const estimator::PathErrors& path) {

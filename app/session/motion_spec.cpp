@@ -3,26 +3,14 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 #include "acquisition/recording/text_file.h"
 
 namespace searig::app {
 namespace {
-
-using Kind = MotionSpec::Kind;
-
-constexpr std::array<std::pair<std::string_view, Kind>, 5> kinds{{
-    {"triangle", Kind::triangle},
-    {"sine", Kind::sine},
-    {"multisine", Kind::multisine},
-    {"staircase", Kind::staircase},
-    {"hold", Kind::hold},
-}};
 
 /// Reads the values of one file and names the place of what it cannot use.
 class Reader {
@@ -68,11 +56,12 @@ class Reader {
   std::string file_;
 };
 
-Kind kind_of(const Reader& reader, const toml::node& node) {
-  const auto name = node.value<std::string>().value_or("");
-  for (const auto& [known, kind] : kinds)
-    if (name == known) return kind;
-  reader.refuse(node, "kind must be triangle, sine, multisine, staircase or hold");
+estimator::PlannedMotion::Kind kind_of(const Reader& reader, const toml::node& node) {
+  try {
+    return estimator::kind_named(node.value<std::string>().value_or(""));
+  } catch (const std::out_of_range&) {
+    reader.refuse(node, "kind must be triangle, sine, multisine, staircase or hold");
+  }
 }
 
 /// The tables [model.spring.linear] and so on as a model file of their own, each on the line that
@@ -103,17 +92,17 @@ estimator::Model model_of(const Reader& reader, const toml::table& root, const s
   return estimator::parse_model(model_lines(text), file.string());
 }
 
-void read_motion(const Reader& reader, const toml::table& motion, MotionSpec& spec) {
-  reader.only(motion, {"kind", "seconds", "amplitudes_rad", "frequencies_hz", "output_rad"});
-  if (const auto* kind = motion.get("kind")) spec.kind = kind_of(reader, *kind);
-  reader.magnitude(motion, "seconds", spec.seconds);
-  reader.magnitude(motion, "output_rad", spec.output_rad);
-  reader.list(motion, "amplitudes_rad", spec.amplitudes_rad);
-  reader.list(motion, "frequencies_hz", spec.frequencies_hz);
+void read_motion(const Reader& reader, const toml::table& table, estimator::PlannedMotion& motion) {
+  reader.only(table, {"kind", "seconds", "amplitudes_rad", "frequencies_hz", "output_rad"});
+  if (const auto* kind = table.get("kind")) motion.kind = kind_of(reader, *kind);
+  reader.magnitude(table, "seconds", motion.seconds);
+  reader.magnitude(table, "output_rad", motion.output_rad);
+  reader.list(table, "amplitudes_rad", motion.amplitudes_rad);
+  reader.list(table, "frequencies_hz", motion.frequencies_hz);
 }
 
 void read_tables(const Reader& reader, const toml::table& root, MotionSpec& spec) {
-  if (const auto* motion = root["motion"].as_table()) read_motion(reader, *motion, spec);
+  if (const auto* motion = root["motion"].as_table()) read_motion(reader, *motion, spec.motion);
   if (const auto* rates = root["rates"].as_table()) {
     reader.only(*rates, {"module_hz", "loadcell_hz"});
     reader.magnitude(*rates, "module_hz", spec.module_hz);
@@ -134,6 +123,16 @@ void read_tables(const Reader& reader, const toml::table& root, MotionSpec& spec
 
 }  // namespace
 
+std::string to_toml(const estimator::PlannedMotion& motion, const estimator::Model& model) {
+  std::string out = "format = \"searig-spec/1\"\n\n" + to_toml(motion);
+  std::istringstream lines(to_toml(model));
+  std::string line;
+  std::getline(lines, line);  // the format of a model file
+  while (std::getline(lines, line))
+    out += (line.starts_with("[") ? "[model." + line.substr(1) : line) + "\n";
+  return out;
+}
+
 MotionSpec read_motion_spec(const std::filesystem::path& file) {
   const std::string text = acquisition::read_text_file(file);
   toml::table root;
@@ -151,7 +150,7 @@ MotionSpec read_motion_spec(const std::filesystem::path& file) {
   MotionSpec spec;
   spec.model = model_of(reader, root, text, file);
   read_tables(reader, root, spec);
-  if (spec.seconds < 1.0 || spec.module_hz < 10.0 || spec.loadcell_hz < 1.0)
+  if (spec.motion.seconds < 1.0 || spec.module_hz < 10.0 || spec.loadcell_hz < 1.0)
     throw std::invalid_argument(file.string() +
                                 ": at least 1 s, 10 Hz for the module and 1 Hz for the load cell");
   return spec;

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/session/simulate.h"
+#include "estimator/model/planned_motion.h"
 
 namespace searig::app {
 
@@ -28,13 +29,8 @@ namespace searig::app {
 ///     spring_c = [25.0, 35.0]
 ///     winding_c = [25.0, 60.0]
 struct MotionSpec {
-  enum class Kind { triangle, sine, multisine, staircase, hold };
-
   estimator::Model model;
-  Kind kind = Kind::multisine;
-  double seconds = 60.0;
-  std::vector<double> amplitudes_rad{0.2}, frequencies_hz{0.5};
-  double output_rad = 0.0;
+  estimator::PlannedMotion motion;
   double module_hz = 500.0, loadcell_hz = 50.0;
   SimulatedNoise noise;
   std::vector<double> spring_c, winding_c;  ///< empty, or from and to
@@ -42,6 +38,9 @@ struct MotionSpec {
 
 /// Throws std::invalid_argument with one sentence that names file and line.
 MotionSpec read_motion_spec(const std::filesystem::path& file);
+
+/// A spec with this motion and model, as text that read_motion_spec() takes.
+std::string to_toml(const estimator::PlannedMotion& motion, const estimator::Model& model);
 
 /// The motion as a recording without torques: both streams on one clock.
 acquisition::Recording recording_of(const MotionSpec& spec);

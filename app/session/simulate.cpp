@@ -60,23 +60,6 @@ void drop_channel(Stream& stream, const std::string& name) {
   std::erase_if(stream.channels, [&](const auto& channel) { return channel.name == name; });
 }
 
-/// The current at which the drive's torque is the spring's. Every term is straight in the current,
-/// so that two of them say all.
-std::vector<double> current_for(const estimator::Model& model, estimator::ModuleSignals module,
-                                const std::vector<double>& spring_nm) {
-  const auto drive_at = [&](double current_a) {
-    module.current_a.assign(module.t_s.size(), current_a);
-    return estimator::predict(model, module).drive_nm;
-  };
-  const auto at_none = drive_at(0.0), at_one = drive_at(1.0);
-  std::vector<double> out(at_none.size());
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    out[i] = (spring_nm[i] - at_none[i]) / (at_one[i] - at_none[i]);
-  }
-  const bool sound = std::ranges::all_of(out, [](double x) { return std::isfinite(x); });
-  return sound ? out : std::vector<double>();
-}
-
 }  // namespace
 
 Simulated simulate(const estimator::Model& model, const Session& like,
@@ -102,7 +85,7 @@ Simulated simulate(const estimator::Model& model, const Session& like,
   drop_channel(out.recording.loadcell, "force_n");
   set_channel(out.recording.loadcell, "torque_nm", std::move(measured));
 
-  auto current = model.has("drive.motor") ? current_for(model, signals.module, torques.spring_nm)
+  auto current = model.has("drive.motor") ? estimator::current_for(model, signals.module, torques.spring_nm)
                                           : std::vector<double>();
   if (current.empty()) {
     out.notes.push_back(model.has("drive.motor")

@@ -62,7 +62,9 @@ Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t
     const std::string& name = c.pieces.front().effect->name();
     if (c.pieces.size() > 1 || family(name) == family(own.effect->name())) continue;
     const double w = std::exp(std::min(0.0, -(out.gain - c.gain) / (2.0 * t)));
-    if (w > 0.01) weight[name] = w, total += w;
+    if (w <= 0.01) continue;
+    weight[name] = w, total += w;
+    out.rivals.push_back(c.scored.hypothesis);
   }
   for (const auto& c : step.unnamed)
     nameless = std::max(nameless, std::exp(std::min(0.0, -(out.gain - c.gain) / (2.0 * t))));

@@ -17,7 +17,8 @@ struct Assessment {
   double rho = 0.0;
   double probability = 0.0;
   std::vector<Alternative> alternatives;
-  bool consistent = true;  ///< whether both residuals that it enters agree on it
+  std::vector<Hypothesis> rivals;  ///< with the named ones of them in the piece's place
+  bool consistent = true;          ///< whether both residuals that it enters agree on it
 };
 
 Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t piece);

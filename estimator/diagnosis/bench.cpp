@@ -192,6 +192,11 @@ void Bench::set_noise(Whitening whitening) {
   nuisance_ = (*whitening_)(raw_nuisance_);
 }
 
+void Bench::take_noise_of(const Whitening& other) {
+  if (raw_nuisance_.size() == 0) raw_nuisance_ = nuisances();
+  set_noise(Whitening(experiment_, other.loadcell(), other.drive()));
+}
+
 void Bench::learn_noise(const Hypothesis& hypothesis, const std::vector<Piece>& cleaners) {
   if (raw_nuisance_.size() == 0) raw_nuisance_ = nuisances();
   Fit ignored;

@@ -66,6 +66,8 @@ class Bench {
   /// they can, so that missing physics is not taken for noise.
   void learn_noise(const Hypothesis& hypothesis, const std::vector<Piece>& cleaners);
   void set_noise(Whitening whitening);
+  /// Noise as another bench learnt it, at the same rates.
+  void take_noise_of(const Whitening& other);
   /// The torque that delay, lag and load friction act on: the hypothesis's own.
   void learn_torque(const Hypothesis& hypothesis);
 

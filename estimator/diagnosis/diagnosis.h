@@ -13,6 +13,7 @@
 
 #include "estimator/diagnosis/method.h"
 #include "estimator/model/model.h"
+#include "estimator/model/planned_motion.h"
 #include "estimator/signals.h"
 
 namespace searig::estimator {
@@ -57,7 +58,8 @@ struct Finding {
   std::vector<ParameterEstimate> parameters;
   Located located;
   double before_nm = 0.0, after_nm = 0.0;  ///< held out, in the path it enters, without and with it
-  std::string next_experiment;
+  std::string next_experiment;             ///< in words
+  std::optional<PlannedMotion> next_motion;  ///< the same for a rig, where a motion helps
 };
 
 struct Unexplained {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "estimator/order.h"
 #include "estimator/model/predict.h"
+#include "estimator/order.h"
 #include "estimator/physics/single_amplitude.h"
 
 namespace searig::estimator {
@@ -14,7 +14,7 @@ namespace {
 constexpr double half_width_s = 0.024;  // of the differentiator
 constexpr double rate_limit_hz = 300.0;
 constexpr double edge_s = 0.1;
-constexpr double shortest_part_s = 25.0;  // a zero must outlast the blocks that are held out
+constexpr double shortest_part_s = 25.0;     // a zero must outlast the blocks that are held out
 constexpr double loadcell_limit_hz = 100.0;  // faster load cells: every n-th sample, as measured
 
 double range(const std::vector<double>& x) {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "estimator/diagnosis/doubt.h"
 #include "estimator/diagnosis/heldout.h"
 #include "estimator/diagnosis/locate.h"
+#include "estimator/diagnosis/next_experiment.h"
 #include "estimator/diagnosis/parameters.h"
 #include "estimator/diagnosis/remainder.h"
 #include "estimator/diagnosis/undecidable.h"
@@ -113,6 +115,36 @@ std::optional<Unexplained> nameless(const Bench& bench, const Hypothesis& final,
 
 }  // namespace
 
+namespace {
+
+constexpr double telling = 30.0;  // in deviance: less does not settle it
+
+/// What an experiment is expected to bring.
+std::string expectation(double deviance, bool open) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%s by %.0f standard deviations",
+                open ? "there its rivals would fall behind" : "there it would stand out",
+                std::sqrt(deviance));
+  return text;
+}
+
+/// The next experiment of each finding: the motion on which its rivals would fall behind most.
+void propose(const Bench& bench, const Account& account, Diagnosis& out) {
+  if (out.findings.empty()) return;
+  const Rehearsal rehearsal(bench, account.final.hypothesis, out.extended);
+  for (std::size_t i = 0; i < out.findings.size(); ++i) {
+    Finding& f = out.findings[i];
+    const Assessment& a = account.assessments[i];
+    const bool open = !a.rivals.empty();
+    const auto choice = rehearsal.best_against(open ? a.rivals : std::vector<Hypothesis>{a.without});
+    if (!choice || choice->deviance < telling) continue;
+    f.next_motion = choice->motion;
+    f.next_experiment = words_for(choice->motion) + ": " + expectation(choice->deviance, open);
+  }
+}
+
+}  // namespace
+
 double state_findings(const Bench& bench, const Account& account, const PathResiduals& after,
                       const Model& given, std::size_t atoms, Diagnosis& out) {
   const Hypothesis& final = account.final.hypothesis;
@@ -121,6 +153,7 @@ double state_findings(const Bench& bench, const Account& account, const PathResi
   const auto parameters = estimate_parameters(bench, final, fit, given);
   for (const auto& a : account.assessments)
     out.findings.push_back(finding(bench, account, after, a, parameters, out));
+  propose(bench, account, out);
   std::ranges::stable_sort(out.findings, std::greater{}, &Finding::probability);
   for (const auto& p : parameters)
     if (given.has(p.effect)) out.numbers.push_back(p);

@@ -8,7 +8,8 @@
 namespace searig::estimator {
 
 /// Fills findings, unexplained, undecidable, numbers and the extended model. `after` is what the
-/// final hypothesis leaves on held-out blocks; `out` has its path errors already. Returns the load cell's zero in N*m where it is one, else 0.
+/// final hypothesis leaves on held-out blocks; `out` has its path errors already. Returns the load
+/// cell's zero in N*m where it is one, else 0.
 double state_findings(const Bench& bench, const Account& account, const PathResiduals& after,
                       const Model& given, std::size_t atoms, Diagnosis& out);
 

@@ -58,13 +58,28 @@ Autoregression fit_autoregression(const Eigen::VectorXd& residual, const std::ve
   return out;
 }
 
+namespace {
+
+Autoregression noise_of(const Experiment& e, const Eigen::VectorXd& residual, Eigen::Index from,
+                        Eigen::Index to, bool memory) {
+  return fit_autoregression(residual.segment(from, to - from),
+                            {e.usable.begin() + from, e.usable.begin() + to},
+                            memory ? Whitening::order : 0);
+}
+
+}  // namespace
+
 Whitening::Whitening(const Experiment& e, const Eigen::VectorXd& residual, bool memory)
-    : split_(e.loadcell_rows()), rows_(e.rows()), weight_(e.weight) {
-  const auto split = e.usable.begin() + split_;
-  const int terms = memory ? order : 0;
-  loadcell_ = fit_autoregression(residual.head(split_), {e.usable.begin(), split}, terms);
-  drive_ = fit_autoregression(residual.tail(rows_ - split_), {split, e.usable.end()}, terms);
-  counts_.assign(std::size_t(rows_), false);
+    : Whitening(e, noise_of(e, residual, 0, e.loadcell_rows(), memory),
+                noise_of(e, residual, e.loadcell_rows(), e.rows(), memory)) {}
+
+Whitening::Whitening(const Experiment& e, Autoregression loadcell, Autoregression drive)
+    : loadcell_(std::move(loadcell)),
+      drive_(std::move(drive)),
+      split_(e.loadcell_rows()),
+      rows_(e.rows()),
+      counts_(std::size_t(e.rows()), false),
+      weight_(e.weight) {
   const auto mark = [&](Eigen::Index from, Eigen::Index to) {
     if (to - from < 3) return;
     const double step = (e.time(to - 1) - e.time(from)) / double(to - from - 1);

@@ -24,6 +24,8 @@ class Whitening {
  public:
   static constexpr int order = 5;
 
+  /// Noise that is known already, as of another experiment at the same rates.
+  Whitening(const Experiment& experiment, Autoregression loadcell, Autoregression drive);
   /// Without memory the noise is taken to be white.
   Whitening(const Experiment& experiment, const Eigen::VectorXd& residual, bool memory = true);
 

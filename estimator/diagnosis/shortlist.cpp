@@ -82,8 +82,8 @@ std::vector<std::vector<Piece>> Search::with_late_loadcell(const Hypothesis& fro
   const bool spring = pieces.front().effect->path() == Path::spring;
   if (!spring || holds(from, delay) || holds(from, lag)) return {};
   const Fit fit = bench_.unbounded_fit(with(from, pieces));
-  const double late_s = -fit.solution.coefficients.tail(Bench::prior_count)[0] *
-                        bench_.experiment().clock_sd_s;
+  const double late_s =
+      -fit.solution.coefficients.tail(Bench::prior_count)[0] * bench_.experiment().clock_sd_s;
   if (std::abs(late_s) < 2.0 * bench_.experiment().clock_sd_s) return {};
   std::vector<std::vector<Piece>> out{{pieces.front(), {delay, {late_s}, nullptr}}};
   if (late_s > 0) out.push_back({pieces.front(), {lag, {late_s}, nullptr}});

@@ -1,6 +1,7 @@
 #include "estimator/model/predict.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "estimator/physics/catalogue.h"
 #include "estimator/physics/observation.h"
@@ -56,6 +57,21 @@ Torques predict(const Model& model, const ModuleSignals& module) {
   }
   if (motion.has_drive()) out.drive_nm = to_std(sum_of(model, Path::drive, motion));
   return out;
+}
+
+std::vector<double> current_for(const Model& model, ModuleSignals module,
+                                const std::vector<double>& spring_nm) {
+  const auto drive_at = [&](double current_a) {
+    module.current_a.assign(module.t_s.size(), current_a);
+    return predict(model, module).drive_nm;
+  };
+  const auto at_none = drive_at(0.0), at_one = drive_at(1.0);
+  std::vector<double> out(at_none.size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] = (spring_nm[i] - at_none[i]) / (at_one[i] - at_none[i]);
+  }
+  const bool sound = std::ranges::all_of(out, [](double x) { return std::isfinite(x); });
+  return sound ? out : std::vector<double>();
 }
 
 std::vector<double> sample_at(const std::vector<double>& t, const std::vector<double>& x,

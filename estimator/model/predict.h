@@ -18,6 +18,12 @@ struct Torques {
 
 Torques predict(const Model& model, const ModuleSignals& module);
 
+/// The current at which the drive's torque is `spring_nm`, at the module's samples; empty where the
+/// recording or the model cannot tell. Every drive term is straight in the current, so that two of
+/// them say all.
+std::vector<double> current_for(const Model& model, ModuleSignals module,
+                                const std::vector<double>& spring_nm);
+
 /// A signal given at module times (t, x), read at other times by linear interpolation; outside the
 /// recording the nearest sample holds.
 std::vector<double> sample_at(const std::vector<double>& t, const std::vector<double>& x,

@@ -127,5 +127,41 @@ TEST_F(DiagnoseCommand, TellsWrongUseFromWorkThatFailed) {
   EXPECT_NE(help.out.find("Example:"), std::string::npos);
 }
 
+TEST_F(DiagnoseCommand, ProposesAnExperimentThatShowsTheEffectAgain) {
+  const Ran ran = diagnose(path("made") + believed() + "--json " + path("a.json") +
+                           " --write-experiment " + path("next.toml"));
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const auto motion = json("a.json").at("findings").at(0).at("next_motion");
+  EXPECT_GT(motion.at("seconds"), 10.0);
+  ASSERT_EQ(
+      run_program("searig simulate " + path("next.toml") + " --out " + path("next")).exit_code, 0);
+  ASSERT_EQ(diagnose(path("next") + believed() + "--json " + path("b.json")).exit_code, 0);
+  EXPECT_EQ(json("b.json").at("findings").at(0).at("effect"), "spring.viscous");
+}
+
+TEST_F(DiagnoseCommand, SaysThatThereIsNoExperimentToWrite) {
+  folder_.write("truth.toml", R"(format = "searig-model/1"
+[spring.linear]
+k_nm_per_rad = 40.0
+[spring.viscous]
+c_nm_s_per_rad = 0.5
+[drive.motor]
+torque_constant_nm_per_a = 2.6
+efficiency = 0.75
+)");
+  const Ran ran = diagnose(path("made") + " --model " + path("truth.toml") +
+                           " --write-experiment " + path("next.toml"));
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_NE(ran.err.find("no motion would tell more"), std::string::npos) << ran.err;
+}
+
+TEST_F(DiagnoseCommand, IsVisiblyWorseUnderANegativeControl) {
+  const Ran ran =
+      diagnose(path("made") + believed() + "--control adapting-stiffness --json " + path("c.json"));
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_GT(json("c.json")["paths"]["spring"]["heldout_rmse_nm"]["after"].get<double>(), 0.03);
+  EXPECT_EQ(diagnose(path("made") + " --control magic").exit_code, 2);
+}
+
 }  // namespace
 }  // namespace searig
