@@ -31,7 +31,7 @@ using Force = std::function<double(double true_s)>;
 
 class SimulatedBoard {
  public:
-  static constexpr std::size_t kEepromSize = 1024;
+  static constexpr std::size_t kEepromSize = 1023;  ///< simavr 1.6 refuses to copy the last byte
   using Eeprom = std::array<std::uint8_t, kEepromSize>;
 
   /// Throws acquisition::InputError where the firmware cannot be run.

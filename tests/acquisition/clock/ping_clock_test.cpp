@@ -111,6 +111,26 @@ TEST(PingClock, LearnsTheRateFromArrivalsThatNobodyAskedFor) {
   EXPECT_LT(with->ci95_s, without->ci95_s);
 }
 
+TEST(PingClock, FollowsAClockThatWarms) {
+  // So quick a line that a straight line of a minute no longer keeps between the bounds.
+  std::mt19937_64 random(6);
+  const Device device{.skew = 1e-4,
+                      .thermal = 20e-6,
+                      .there_s = 2e-5,
+                      .back_s = 1e-5,
+                      .jitter_s = 5e-6,
+                      .stall_share = 0.0};
+  PingClock clock;
+  for (int second = 0; second < 300; ++second) {
+    clock.take(device.ping(second, random));
+    if (second < 3) continue;
+    const auto estimate = clock.at(device.clock(second));
+    ASSERT_TRUE(estimate) << second;
+    EXPECT_LE(std::abs(estimate->theta_s - (second - device.clock(second))), estimate->ci95_s);
+    EXPECT_LT(estimate->ci95_s, 50e-6);
+  }
+}
+
 TEST(PingClock, SaysNothingWithoutExchangesAndAfterARestart) {
   PingClock clock;
   EXPECT_FALSE(clock.at(1.0));

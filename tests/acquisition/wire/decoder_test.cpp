@@ -167,6 +167,22 @@ TEST(Decoder, IsNotLedAstrayByAGoodFrameThatCannotBe) {
   }
 }
 
+TEST(Decoder, IsNotLedAstrayByTwoThatDoNotGoTogether) {
+  Sender sender, wrong, other;
+  auto frames = loadcell_frames(sender, 20);
+  wrong.boot = 99;
+  other.boot = 98;
+  frames.push_back(wrong.loadcell(0, -1));
+  frames.push_back(other.loadcell(0, -1));
+  frames.push_back(wrong.loadcell(3'000'000'000u, -1));
+  const auto rest = loadcell_frames(sender, 20, 20 * kStep);
+  frames.insert(frames.end(), rest.begin(), rest.end());
+  Decoder decoder;
+  EXPECT_EQ(only<LoadcellSample>(decode_all(decoder, frames)).size(), 40u);
+  EXPECT_EQ(decoder.counters().implausible, 3u);
+  EXPECT_EQ(decoder.counters().restarts, 0u);
+}
+
 TEST(Decoder, NamesWhatIsWrongWithFrames) {
   Sender sender;
   auto frames = loadcell_frames(sender, 3);

@@ -63,11 +63,16 @@ TEST(Firmware, SendsFiftyFramesASecondWithoutALoss) {
   }
 }
 
+/// Also while the sketch is busy answering, and reads it later.
 TEST(Firmware, StampsAnHx711ReadingWhenItIsReady) {
   const auto settings = settings_for("hx711");
   BoardRun run(settings, saw_tooth);
-  run.run_until(20.0);
+  for (std::uint32_t ping = 1; ping <= 1800; ++ping) {
+    run.run_until(0.0111 * ping);
+    run.board.receive(acquisition::ping_frame(ping, run.board.true_s()));
+  }
   expect_right_stamps(stamp_errors(run, 1.0 / settings.counts_per_newton, settings.counts_at_rest));
+  EXPECT_GT(run.all<Pong>().size(), 1000u);
 }
 
 TEST(Firmware, StampsAnAnalogueReadingAtTheMiddleOfItsBurst) {
@@ -116,12 +121,28 @@ TEST(Firmware, KeepsTareGainAndNameOverAReset) {
   ASSERT_EQ(identities.size(), 4u);  // at each start and after each setting
   EXPECT_EQ(identities[0].name, "loadcell");
   EXPECT_EQ(identities[0].newton_per_count, 0.0);
+  EXPECT_EQ(identities[3].at.run, 1u);
   EXPECT_EQ(identities[3].name, "bench seven");
   EXPECT_EQ(identities[3].tare_counts, 84123);
   EXPECT_FLOAT_EQ(static_cast<float>(identities[3].newton_per_count), 0.0005f);
   EXPECT_EQ(identities[3].rate_hz, 50.0);
   EXPECT_EQ(identities[3].kind, Identity::Kind::loadcell_hx711);
   EXPECT_EQ(run.decoder.counters().restarts, 1u);
+}
+
+TEST(Firmware, CountsItsStartsInTheEeprom) {
+  auto settings = settings_for("hx711");
+  settings.last_boot = 41;
+  BoardRun run(settings, [](double) { return 0.0; });
+  for (int start = 1; start <= 3; ++start) {
+    run.run_until(0.3 * start);
+    run.board.reset();
+  }
+  run.run_until(1.2);
+  const auto restarts = run.all<acquisition::Restart>();
+  ASSERT_EQ(restarts.size(), 3u);
+  EXPECT_EQ(restarts[0].boot, 43);
+  EXPECT_EQ(restarts[2].boot, 45);
 }
 
 TEST(Firmware, SaysWhenTheConverterIsSlowOrAtItsLimit) {
