@@ -1,11 +1,12 @@
 // Firmware on the simulated board through libserialport, for a minute, as the issue asks for it.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <map>
 
 #include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/acquisition/source/listener.h"
-#include "tests/arduino/board_process.h"
+#include "tests/arduino/device_processes.h"
 
 namespace searig::acquisition {
 namespace {
@@ -94,6 +95,32 @@ TEST_F(Minute, TakesNoWrongSampleThroughUnplugResetLossAndWrongBits) {
   EXPECT_NEAR(static_cast<double>(counters.lost_in_gaps), 150.0, 10.0);
   EXPECT_GT(counters.lost, counters.lost_in_gaps + 50);  // 1 % of 700, and 17 % of another 700
   EXPECT_GT(listener.damaged(), 50u);
+}
+
+double processor_s() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+         1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+}
+
+TEST_F(Minute, HearsAThousandHertzAndFiftyWithoutALoss) {
+  BoardProcess board(link());
+  ModuleProcess process({"--rate", "1000"});
+  Listener loadcell(open_source(link())), module(open_source(process.name));
+  Source* const both[] = {loadcell.source.get(), module.source.get()};
+  const double begin_s = host_now_s(), used_s = processor_s();
+  while (host_now_s() < begin_s + 60.0) {
+    wait_for(both, 0.1);
+    loadcell.round(0.0);
+    module.round(0.0);
+  }
+  std::printf("processor: %.2f %% of one core\n", 100.0 * (processor_s() - used_s) / 60.0);
+  print(loadcell);
+  print(module);
+  EXPECT_EQ(loadcell.decoder.counters().lost + module.decoder.counters().lost, 0u);
+  EXPECT_EQ(loadcell.damaged() + module.damaged(), 0u);
+  EXPECT_NEAR(static_cast<double>(module.decoder.counters().samples), 60000.0, 1000.0);
 }
 
 }  // namespace

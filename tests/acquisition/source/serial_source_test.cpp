@@ -9,7 +9,7 @@
 
 #include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/acquisition/source/listener.h"
-#include "tests/arduino/board_process.h"
+#include "tests/arduino/device_processes.h"
 
 namespace searig::acquisition {
 namespace {

@@ -7,23 +7,12 @@
 
 #include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/acquisition/source/listener.h"
-#include "tests/arduino/board_process.h"
+#include "tests/arduino/device_processes.h"
 
 namespace searig::acquisition {
 namespace {
 
 using Kind = Arrival::Kind;
-
-struct ModuleProcess : Process {
-  explicit ModuleProcess(std::vector<std::string> options = {})
-      : Process(with(std::move(options))), name(line()) {}
-  const std::string name;
-
-  static std::vector<std::string> with(std::vector<std::string> options) {
-    options.insert(options.begin(), {"searig-module", "--with-stdin", "--port", "0"});
-    return options;
-  }
-};
 
 TEST(UdpSource, HearsAModuleAtAThousandHertz) {
   ModuleProcess module({"--rate", "1000"});

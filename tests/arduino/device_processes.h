@@ -1,4 +1,4 @@
-// searig-board as a process of its own, as a user runs it; ends with the test.
+// The simulated devices as processes of their own, as a user runs them; they end with the test.
 #pragma once
 
 #include <spawn.h>
@@ -86,6 +86,20 @@ class BoardProcess : public Process {
  private:
   static std::vector<std::string> with(const std::string& link, std::vector<std::string> options) {
     options.insert(options.begin(), {"searig-board", "--with-stdin", "--link", link});
+    return options;
+  }
+};
+
+/// The simulated module; `name` is what opens it.
+class ModuleProcess : public Process {
+ public:
+  explicit ModuleProcess(std::vector<std::string> options = {})
+      : Process(with(std::move(options))), name(line()) {}
+  const std::string name;
+
+ private:
+  static std::vector<std::string> with(std::vector<std::string> options) {
+    options.insert(options.begin(), {"searig-module", "--with-stdin", "--port", "0"});
     return options;
   }
 };
