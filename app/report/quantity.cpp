@@ -15,11 +15,12 @@ struct Suffix {
 };
 
 /// Longer endings first: "_rad_s" must not be taken for "_s".
-constexpr std::array<Suffix, 16> suffixes{{
+constexpr std::array<Suffix, 17> suffixes{{
     {"_nm_s_per_rad", "N·m·s/rad"},
     {"_nm_per_rad3", "N·m/rad³"},
     {"_nm_per_rad", "N·m/rad"},
     {"_nm_per_a", "N·m/A"},
+    {"_per_rad", "rad/rad"},
     {"_nm_per_min", "N·m/min"},
     {"_rad_s2", "rad/s²"},
     {"_rad_s", "rad/s"},

@@ -201,6 +201,7 @@ Experiment prepare(const Signals& signals, double smoothing_rad_s) {
   e.start_s = signals.module.t_s.front();
   e.motion = motion_of(signals.module, half_width_s);
   e.motion.smoothing_rad_s = smoothing_rad_s;
+  e.motion.gear_ratio = signals.gear_ratio;
   // A clamped output moves by its encoder's rounding only: nothing can be said over its angle.
   if (range(e.motion.q_o) < 0.1 * range(e.motion.theta))
     e.motion.q_o.clear(), e.motion.w_o.clear(), e.motion.a_o.clear();

@@ -20,6 +20,7 @@ struct Motion {
   std::vector<double> spring_nm;  ///< T_spring, for the effects that depend on the load
 
   double smoothing_rad_s = 0.01;  ///< width of tanh(w/smoothing), one for all friction terms
+  double gear_ratio = 1.0;        ///< motor turns per turn of q_i
   double reference_c = 25.0;      ///< where temperature coefficients are measured from
 
   std::size_t size() const { return t.size(); }

@@ -59,6 +59,16 @@ const Formula formulas[] = {
      }},
     {{"drive.ripple", {{"torque_nm", 0.2}, {"cycles_per_rad", 12}, {"phase_rad", 2.5}}},
      [](auto& m, auto i) { return -0.2 * std::sin(12 * m.q_i[i] + 2.5); }},
+    {{"drive.ripple",
+      {{"torque_nm", 0.2},
+       {"cycles_per_rad", 12},
+       {"phase_rad", 2.5},
+       {"torque2_nm", 0.3},
+       {"cycles2_per_rad", 24},
+       {"phase2_rad", -1}}},
+     [](auto& m, auto i) {
+       return -0.2 * std::sin(12 * m.q_i[i] + 2.5) - 0.3 * std::sin(24 * m.q_i[i] - 1);
+     }},
     {{"drive.current_offset", {{"offset_a", 0.05}}},
      [](auto& m, auto i) {
        return efficiency * kt * (m.current[i] - 0.05) - efficiency * kt * m.current[i];
