@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "acquisition/recorder/priority.h"
 #include "acquisition/source/source.h"
 
 namespace searig::acquisition {
@@ -60,6 +61,7 @@ void FileThread::finish() {
 }
 
 void FileThread::write_all() {
+  prefer_this_thread();
   std::vector<Entry> entries;
   auto next = Clock::now();
   const auto clock_each = static_cast<long>(1.0 / options_.chunk_s);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "acquisition/recorder/priority.h"
 #include "acquisition/wire/encode.h"
 
 namespace searig::acquisition {
@@ -52,6 +53,7 @@ Recorder::Recorder(RecorderOptions options, std::unique_ptr<Source> module,
 
 RecorderState Recorder::run(const std::atomic<bool>& stop,
                             const std::function<void(const RecorderState&)>& progress) {
+  prefer_this_thread();
   const std::array<Source*, 2> sources{module_.source.get(), loadcell_.source.get()};
   double tell_s = started_s_ + tell_every_s, ping_s = started_s_, progress_s = started_s_;
   double now_s = started_s_;

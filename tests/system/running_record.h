@@ -29,14 +29,19 @@ class Running {
     if (child_ != 0) return;
     const int nothing = open("/dev/null", O_RDWR);
     for (const int stream : {0, 1, 2}) dup2(nothing, stream);
+    close_range(3, ~0U, 0);  // nothing of the test's, least of all the pipes of its other processes
     std::vector<char*> arguments;
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     execv(arguments[0], arguments.data());
     _exit(127);
   }
+  pid_t id() const { return child_; }
   int end(int signal) {
     kill(child_, signal);
+    return wait();
+  }
+  int wait() {
     int status = 0;
     waitpid(child_, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
