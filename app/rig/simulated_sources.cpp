@@ -65,7 +65,8 @@ class SimulatedSource : public acquisition::Source {
   void read(std::vector<Arrival>& arrivals) override {
     looked_s_ = running_->host_s();
     if (next_ == 0 && counters_.bytes == 0) {
-      arrivals.push_back({Arrival::Kind::connected, looked_s_, {}, "The simulated rig runs."});
+      arrivals.push_back(
+          {Arrival::Kind::connected, running_->started_s, {}, "The simulated rig runs."});
       hand_on(arrivals, running_->started_s, introduction());
     }
     running_->run();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "acquisition/recording/recording.h"
 #include "acquisition/recording/write_recording.h"
@@ -95,17 +96,23 @@ TEST_F(McapFile, RecoverSaysWhereThereIsNothingAndLeavesNoFile) {
 }
 
 #ifdef SEARIG_NODE
-TEST_F(McapFile, TheOfficialReaderReadsTheSameNumbers) {
+/// What the official library and Foxglove's decoder read in a file, or nothing without them.
+std::optional<nlohmann::json> officially(const fs::path& file, const fs::path& scratch) {
   const std::string reader = std::string(SEARIG_BINARY_DIR) + "/mcap_reader/";
-  if (!fs::exists(reader + "installed"))
-    GTEST_SKIP() << "npm could not fetch @mcap/core; is there a network?";
-  const std::string out = at("official.json").string();
-  ASSERT_EQ(std::system((SEARIG_NODE " " + reader + "read.mjs " + file() + " >" + out).c_str()), 0);
-  const auto answer = nlohmann::json::parse(text_of(out));
+  if (!fs::exists(reader + "installed")) return std::nullopt;
+  const std::string words =
+      SEARIG_NODE " " + reader + "read.mjs " + file.string() + " >" + scratch.string();
+  EXPECT_EQ(std::system(words.c_str()), 0);
+  return nlohmann::json::parse(text_of(scratch));
+}
+constexpr const char* no_reader = "npm could not fetch @mcap/core; is there a network?";
 
+TEST_F(McapFile, TheOfficialReaderReadsTheSameNumbers) {
+  const auto answer = officially(file(), at("official.json"));
+  if (!answer) GTEST_SKIP() << no_reader;
   const auto recording = acquisition::read_recording(folder());
   for (const auto* stream : {&recording.module, &recording.loadcell}) {
-    const auto& rows = answer["topics"]["/" + stream->name]["rows"];
+    const auto& rows = (*answer)["topics"]["/" + stream->name]["rows"];
     ASSERT_EQ(rows.size(), stream->t_s.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
       ASSERT_EQ(rows[i][0], stream->t_s[i]);
@@ -115,9 +122,29 @@ TEST_F(McapFile, TheOfficialReaderReadsTheSameNumbers) {
     }
   }
   const std::size_t messages = 1 + recording.module.t_s.size() + recording.loadcell.t_s.size();
-  EXPECT_EQ(answer["statistics"], messages);
-  EXPECT_EQ(answer["streamed"]["Message"], messages);
-  EXPECT_EQ(answer["attachments"].size(), 4u);
+  EXPECT_EQ((*answer)["statistics"], messages);
+  EXPECT_EQ((*answer)["streamed"]["Message"], messages);
+  EXPECT_EQ((*answer)["attachments"].size(), 4u);
+}
+
+TEST_F(McapFile, TheOfficialReaderReadsEveryTopicOfARecordedOne) {
+  const fs::path recorded = at("recorded.mcap");
+  const Ran ran = run_program("searig record --loadcell sim: --module sim: --seconds 3 --out " +
+                              recorded.string());
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const auto answer = officially(recorded, at("recorded.json"));
+  if (!answer) GTEST_SKIP() << no_reader;
+  const auto recording = acquisition::read_recording(recorded);
+  const auto& topics = (*answer)["topics"];
+  EXPECT_EQ(topics["/module"]["rows"].size(), recording.module.t_s.size());
+  for (std::size_t i = 0; i < recording.loadcell.t_s.size(); ++i)
+    ASSERT_EQ(topics["/loadcell"]["rows"][i].back(), recording.loadcell.channel("force_n")[i]);
+  EXPECT_EQ(topics["/events"]["rows"].size(), recording.events.size());
+  EXPECT_EQ(topics["/events"]["rows"][0][2], "connected");
+  EXPECT_GT(topics["/module/raw"]["rows"].size(), 1000u);
+  EXPECT_EQ(topics["/module/raw"]["rows"][5][1].back(), 0);  // a frame ends in a zero
+  for (const char* topic : {"/settings", "/clock", "/module/counters", "/loadcell/counters"})
+    EXPECT_TRUE(topics.contains(topic)) << topic;
 }
 #endif
 

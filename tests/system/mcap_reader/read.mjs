@@ -1,18 +1,12 @@
-// Reads a recording with the official MCAP library and prints its rows of numbers as JSON:
-// node read.mjs FILE.mcap
-// Nothing here knows searig's code: rows are decoded from the schemas that the file itself holds.
+// Reads a recording with the official MCAP library, decodes its messages with Foxglove's own decoder
+// and prints them as JSON: node read.mjs FILE.mcap
+// Nothing here knows searig's code: messages are decoded by the schemas that the file itself holds.
 import { readFileSync } from "node:fs";
+import { parse } from "@foxglove/rosmsg";
+import { MessageReader } from "@foxglove/rosmsg2-serialization";
 import { McapIndexedReader, McapStreamReader } from "@mcap/core";
 
 const file = readFileSync(process.argv[2]);
-
-/** Plain little-endian CDR of fields that are all float64: an array for each message. */
-function decodeRow(schema, data) {
-  const fields = schema.trim().split("\n");
-  const view = new DataView(data.buffer, data.byteOffset + 4, data.byteLength - 4);
-  if (view.byteLength !== 8 * fields.length) throw new Error("a message is no such row");
-  return fields.map((_, i) => view.getFloat64(8 * i, true));
-}
 
 /** By the index at the end, as Foxglove and PlotJuggler open a file. */
 async function readIndexed() {
@@ -21,13 +15,16 @@ async function readIndexed() {
     read: async (offset, size) => file.subarray(Number(offset), Number(offset + size)),
   };
   const reader = await McapIndexedReader.Initialize({ readable });
+  const decoders = new Map();
+  for (const channel of reader.channelsById.values()) {
+    const schema = new TextDecoder().decode(reader.schemasById.get(channel.schemaId).data);
+    decoders.set(channel.id, new MessageReader(parse(schema, { ros2: true })));
+  }
   const topics = {};
   for await (const message of reader.readMessages({ validateCrcs: true })) {
-    const channel = reader.channelsById.get(message.channelId);
-    const schema = new TextDecoder().decode(reader.schemasById.get(channel.schemaId).data);
-    const topic = (topics[channel.topic] ??= { schema, messages: 0, rows: [] });
-    topic.messages += 1;
-    if (/^(float64 \w+\n)+$/.test(schema)) topic.rows.push(decodeRow(schema, message.data));
+    const topic = (topics[reader.channelsById.get(message.channelId).topic] ??= { rows: [] });
+    const values = Object.values(decoders.get(message.channelId).readMessage(message.data));
+    topic.rows.push(values.map((value) => (value instanceof Uint8Array ? [...value] : value)));
   }
   const attachments = {};
   for await (const attachment of reader.readAttachments())
