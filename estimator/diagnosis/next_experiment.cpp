@@ -15,6 +15,7 @@ namespace {
 using Kind = PlannedMotion::Kind;
 
 constexpr double rehearsal_s = 60.0;
+constexpr std::size_t polished = 3;
 constexpr double slowest_hz = 0.05;
 constexpr double little_faster = 1.5;  // than the recording was, a rig may be asked for
 
@@ -45,9 +46,10 @@ Signals rehearse(const PlannedMotion& motion, const Model& model, const Experime
   return out;
 }
 
-/// Atoms are places in the recording; another motion has none of them.
-Hypothesis named_only(Hypothesis hypothesis) {
-  std::erase_if(hypothesis, [](const Piece& p) { return p.atom != nullptr; });
+/// What of a hypothesis another motion can show: atoms are places in the recording, and a locked
+/// output has no gravity to feel.
+Hypothesis shown_by(const Motion& motion, Hypothesis hypothesis) {
+  std::erase_if(hypothesis, [&](const Piece& p) { return p.atom || !p.effect->applies(motion); });
   return hypothesis;
 }
 
@@ -89,20 +91,36 @@ Rehearsal::Rehearsal(const Bench& bench, const Hypothesis& truth, const Model& e
   for (const PlannedMotion& motion : motion_library(e.motion)) {
     Bench stage(prepare(rehearse(motion, extended, e), e.motion.smoothing_rad_s));
     stage.take_noise_of(bench.whitening());
-    stage.learn_torque(named_only(truth));
+    stage.learn_torque(shown_by(stage.experiment().motion, truth));
     stages_.push_back({motion, std::move(stage)});
   }
 }
 
+/// Of the rival that does best on the stage, after so many rounds of fitting its shapes.
+double Rehearsal::least_deviance(const Stage& stage, const std::vector<Hypothesis>& rivals,
+                                 int rounds) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Hypothesis& whole : rivals) {
+    Hypothesis rival = shown_by(stage.bench.experiment().motion, whole);
+    if (rounds > 0) rival = polish(stage.bench, std::move(rival), rounds);
+    least = std::min(least, stage.bench.fit(rival).solution.sse);
+  }
+  return least;
+}
+
 std::optional<Rehearsal::Choice> Rehearsal::best_against(
     const std::vector<Hypothesis>& rivals) const {
+  if (rivals.empty() || stages_.empty()) return std::nullopt;
+  // Shapes cost most to fit, so they are fitted only where the amplitudes alone promise much.
+  std::vector<std::pair<double, const Stage*>> promising;
+  for (const Stage& stage : stages_)
+    promising.emplace_back(least_deviance(stage, rivals, 0), &stage);
+  std::ranges::sort(promising, std::greater{}, &std::pair<double, const Stage*>::first);
   std::optional<Choice> best;
-  if (rivals.empty()) return best;
-  for (const Stage& stage : stages_) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Hypothesis& rival : rivals)
-      least = std::min(least, stage.bench.fit(polish(stage.bench, named_only(rival))).solution.sse);
-    if (!best || least > best->deviance) best = Choice{stage.motion, least};
+  for (std::size_t i = 0; i < std::min(polished, promising.size()); ++i) {
+    const Stage& stage = *promising[i].second;
+    const double deviance = least_deviance(stage, rivals, 6);
+    if (!best || deviance > best->deviance) best = Choice{stage.motion, deviance};
   }
   return best;
 }

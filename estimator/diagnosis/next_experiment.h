@@ -34,6 +34,9 @@ class Rehearsal {
     PlannedMotion motion;
     Bench bench;
   };
+  static double least_deviance(const Stage& stage, const std::vector<Hypothesis>& rivals,
+                               int rounds);
+
   std::vector<Stage> stages_;
 };
 
