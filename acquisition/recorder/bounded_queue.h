@@ -16,13 +16,18 @@ class BoundedQueue {
  public:
   explicit BoundedQueue(std::size_t most) : most_(most) {}
 
-  /// Takes the batch and leaves it empty; returns how many of its last did not fit and are gone.
-  std::size_t push(std::vector<T>& batch) {
+  /// Takes the batch and leaves it empty; returns how many of it are gone, for where the queue is
+  /// full it takes only those that must not be: must_come(entry).
+  template <typename MustCome>
+  std::size_t push(std::vector<T>& batch, MustCome must_come) {
     const std::lock_guard lock(mutex_);
-    const std::size_t room = most_ - waiting_.size();
-    const std::size_t taken = batch.size() < room ? batch.size() : room;
-    for (std::size_t i = 0; i < taken; ++i) waiting_.push_back(std::move(batch[i]));
-    const std::size_t gone = batch.size() - taken;
+    std::size_t gone = 0;
+    for (T& entry : batch) {
+      if (waiting_.size() < most_ || must_come(entry))
+        waiting_.push_back(std::move(entry));
+      else
+        ++gone;
+    }
     batch.clear();
     return gone;
   }

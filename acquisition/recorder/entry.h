@@ -63,4 +63,9 @@ using Entry = std::variant<RawPiece, Columns, SampleRow, CountersRow, PingRow, E
 
 void write_entry(const Entry& entry, mcap::RecordingWriter& out);
 
+/// Whether the others are of no use without it. Bytes and samples are many, and each stands alone.
+inline bool must_come(const Entry& entry) {
+  return !std::holds_alternative<RawPiece>(entry) && !std::holds_alternative<SampleRow>(entry);
+}
+
 }  // namespace searig::acquisition

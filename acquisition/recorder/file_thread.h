@@ -40,7 +40,7 @@ class FileThread {
 
   /// Hands entries over and leaves the batch empty. Never waits; what the queue does not take is
   /// counted in the return value.
-  std::size_t push(std::vector<Entry>& batch) { return queue_.push(batch); }
+  std::size_t push(std::vector<Entry>& batch) { return queue_.push(batch, must_come); }
 
   /// Writes what waits, and the index; joins. Afterwards failure() is final.
   void finish();

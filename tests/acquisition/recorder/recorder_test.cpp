@@ -1,0 +1,121 @@
+// The recorder and its threads on devices that are not there.
+#include "acquisition/recorder/recorder.h"
+
+#include <gtest/gtest.h>
+
+#include "acquisition/recording/mcap/read_mcap.h"
+#include "arduino/firmware/payloads.h"
+#include "tests/acquisition/recording/temporary_folder.h"
+
+namespace searig::acquisition {
+namespace {
+
+/// Samples of a device as fast as they are asked for, each a millisecond after the last.
+class FakeSource : public Source {
+ public:
+  explicit FakeSource(wire::Type type, int per_read = 5) : type_(type), per_read_(per_read) {}
+
+  std::string name() const override { return "fake:"; }
+  int handle() const override { return -1; }
+  double wake_s() const override { return host_now_s() + 0.002; }
+  void send(std::span<const std::uint8_t>) override {}
+  const SourceCounters& counters() const override { return counters_; }
+  void read(std::vector<Arrival>& arrivals) override {
+    if (sequence_ == 0) arrivals.push_back({Arrival::Kind::connected, host_now_s(), {}, "Here."});
+    for (int i = 0; i < per_read_; ++i) arrivals.push_back(next());
+  }
+
+ private:
+  Arrival next() {
+    std::uint8_t content[wire::kMaxPayload] = {};
+    const auto size = std::size_t(wire::payload_size(type_));
+    if (type_ == wire::Type::loadcell_sample) content[0] = std::uint8_t(1 + sequence_ % 100);
+    Arrival arrival{
+        Arrival::Kind::bytes, host_now_s(), std::vector<std::uint8_t>(wire::kMaxEncoded), {}};
+    arrival.bytes.resize(
+        wire::encode({wire::kProtocolVersion, type_, 1, sequence_, 1000 * sequence_}, content, size,
+                     arrival.bytes.data()));
+    ++sequence_;
+    counters_.bytes += arrival.bytes.size();
+    return arrival;
+  }
+
+  wire::Type type_;
+  int per_read_;
+  std::uint32_t sequence_ = 0;
+  SourceCounters counters_;
+};
+
+RecorderOptions options_for(const std::filesystem::path& file, double seconds) {
+  RecorderOptions options;
+  options.file.path = file;
+  options.file.program = "searig test";
+  options.file.least_free_bytes = 0;
+  options.seconds = seconds;
+  options.lever_arm_m = 0.1;
+  options.loadcell = CountsToForce{0.0, 0.5};
+  return options;
+}
+
+TEST(Recorder, EverySampleThatCameIsInTheFile) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "a.mcap";
+  auto options = options_for(file, 0.6);
+  Recorder recorder(options, std::make_unique<FakeSource>(wire::Type::module_sample, 1),
+                    std::make_unique<FakeSource>(wire::Type::loadcell_sample, 1));
+  const std::atomic<bool> stop{false};
+  int looks = 0;
+  const RecorderState state = recorder.run(stop, [&](const RecorderState&) { ++looks; });
+  const Recording read = read_recording(file);
+  EXPECT_EQ(read.cut_off, "");
+  EXPECT_EQ(read.module.t_s.size(), state.module.samples);
+  EXPECT_EQ(read.loadcell.t_s.size(), state.loadcell.samples);
+  EXPECT_GT(looks, 0);
+  for (std::size_t i = 0; i < read.loadcell.t_s.size(); ++i)
+    ASSERT_EQ(read.loadcell.channel("force_n")[i], 0.5 * double(1 + i % 100));
+}
+
+TEST(Recorder, WhatDoesNotFitTheQueueIsCountedAndSaid) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "a.mcap";
+  auto options = options_for(file, 0.5);
+  options.file.most_waiting = 200;  // far less than what comes between two chunks
+  Recorder recorder(options, std::make_unique<FakeSource>(wire::Type::module_sample, 50),
+                    std::make_unique<FakeSource>(wire::Type::loadcell_sample, 1));
+  const std::atomic<bool> stop{false};
+  const RecorderState state = recorder.run(stop);
+  const Recording read = read_recording(file);
+  EXPECT_LT(read.module.t_s.size(), state.module.samples);
+  bool said = false;
+  for (const Event& event : read.events) said = said || event.kind == "overflow";
+  EXPECT_TRUE(said);
+}
+
+TEST(Recorder, StopsWhenItIsTold) {
+  const TemporaryFolder folder;
+  Recorder recorder(options_for(folder.path() / "a.mcap", 1e9),
+                    std::make_unique<FakeSource>(wire::Type::module_sample, 1),
+                    std::make_unique<FakeSource>(wire::Type::loadcell_sample, 1));
+  std::atomic<bool> stop{false};
+  (void)recorder.run(stop, [&](const RecorderState& now) { stop = now.module.samples > 50; });
+  EXPECT_EQ(read_recording(folder.path() / "a.mcap").cut_off, "");
+}
+
+TEST(Recorder, ASilentDeviceIsNamedAndTheOtherKept) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "a.mcap";
+  Recorder recorder(options_for(file, 0.3),
+                    std::make_unique<FakeSource>(wire::Type::module_sample, 1),
+                    std::make_unique<FakeSource>(wire::Type::loadcell_sample, 0));
+  const std::atomic<bool> stop{false};
+  try {
+    (void)recorder.run(stop);
+    ADD_FAILURE() << "nothing was said";
+  } catch (const std::runtime_error& error) {
+    EXPECT_TRUE(says(error.what(), "no sample came from the load cell (fake:)")) << error.what();
+  }
+  EXPECT_TRUE(std::filesystem::exists(file));
+}
+
+}  // namespace
+}  // namespace searig::acquisition
