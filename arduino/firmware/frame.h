@@ -107,7 +107,7 @@ inline size_t encode(const Header& header, const uint8_t* payload, size_t size, 
   put.u16(header.boot);
   put.u32(header.sequence);
   put.u32(header.time_us);
-  memcpy(frame + kHeaderSize, payload, size);
+  if (size > 0) memcpy(frame + kHeaderSize, payload, size);
   Writer(frame + kHeaderSize + size).u16(crc16(frame, kHeaderSize + size));
   const size_t encoded = cobs_encode(frame, kHeaderSize + size + kCrcSize, out);
   out[encoded] = 0;
