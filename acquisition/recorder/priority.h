@@ -8,8 +8,7 @@ namespace searig::acquisition {
 
 /// Asks for the lowest real-time priority for the calling thread: it sleeps nearly always, and when
 /// something comes it goes before every ordinary program. Where this user may not have that, all
-/// stays as it is. On a machine with four builds on two cores a recorder without it was seen to
-/// stand still for ten seconds, more than a socket keeps.
+/// stays as it is.
 inline void prefer_this_thread() {
   sched_param parameters{};
   parameters.sched_priority = sched_get_priority_min(SCHED_RR);

@@ -1,5 +1,5 @@
-// Records a module and a load cell until it is told to stop: pulls from the sources, decodes,
-// hands everything to the file's thread.
+// Records a module and a load cell until it is told to stop: a thread for each, and one for the
+// file.
 #pragma once
 
 #include <atomic>
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "acquisition/recorder/device_stream.h"
 #include "acquisition/recorder/file_thread.h"
+#include "acquisition/recorder/line.h"
 #include "acquisition/source/source.h"
 
 namespace searig::acquisition {
@@ -45,31 +45,17 @@ class Recorder {
                     const std::function<void(const RecorderState&)>& progress = {});
 
  private:
-  struct Line {
-    Line(StreamId which, std::unique_ptr<Source> from, std::optional<CountsToForce> calibration);
-    StreamId device;
-    std::unique_ptr<Source> source;
-    DeviceStream stream;
-    std::vector<Arrival> arrivals;  // kept for its memory only
-    std::uint32_t pings = 0;
-    std::string trouble;  // the last thing that kept it from being heard
-  };
-
-  void read(Line& line);
-  void ask(Line& line, double now_s);
-  void tell(double now_s);
-  void hand_over(double now_s);
+  void watch(const std::atomic<bool>& stop,
+             const std::function<void(const RecorderState&)>& progress);
   void settle(double now_s);
-  RecorderState state(double now_s) const;
-  void refuse_silence(const Line& line) const;
+  RecorderState state() const;
+  void refuse_silence(const Line& line, const char* name) const;
 
   RecorderOptions options_;
   FileThread file_;
   Line module_, loadcell_;
-  std::vector<Entry> entries_;
   mcap::Settings settings_;
   double started_s_;
-  std::size_t overflown_ = 0;
 };
 
 }  // namespace searig::acquisition

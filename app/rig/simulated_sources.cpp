@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <mutex>
 
 #include "arduino/firmware/payloads.h"
 
@@ -15,12 +16,13 @@ constexpr double look_every_s = 0.004;
 constexpr std::int32_t tare_counts = 84213;
 constexpr float newton_per_count = 0.0005f;
 
-/// The rig in real time, which both sources drive.
+/// The rig in real time, which both sources drive, each from a thread of its own.
 struct RunningRig {
   RunningRig(const RigSettings& settings, const std::function<double()>& host)
       : rig(settings), host_s(host), started_s(host()) {}
   void run() { rig.run_until(host_s() - started_s); }
 
+  std::mutex mutex;
   SimulatedRig rig;
   std::function<double()> host_s;
   double started_s;
@@ -69,6 +71,7 @@ class SimulatedSource : public acquisition::Source {
           {Arrival::Kind::connected, running_->started_s, {}, "The simulated rig runs."});
       hand_on(arrivals, running_->started_s, introduction());
     }
+    const std::lock_guard lock(running_->mutex);
     running_->run();
     const Stream& stream = this->stream(running_->rig.recording());
     for (; next_ < stream.t_s.size(); ++next_) {
