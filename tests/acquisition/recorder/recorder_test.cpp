@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "acquisition/recording/mcap/read_mcap.h"
 #include "arduino/firmware/payloads.h"
 #include "tests/acquisition/recording/temporary_folder.h"
@@ -89,6 +92,26 @@ TEST(Recorder, WhatDoesNotFitTheQueueIsCountedAndSaid) {
   bool said = false;
   for (const Event& event : read.events) said = said || event.kind == "overflow";
   EXPECT_TRUE(said);
+}
+
+/// A serial line whose poll() waits for the kernel.
+class SlowSource : public FakeSource {
+ public:
+  using FakeSource::FakeSource;
+  void read(std::vector<Arrival>& arrivals) override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    FakeSource::read(arrivals);
+  }
+};
+
+TEST(Recorder, ADeviceThatKeepsItsThreadWaitingHoldsUpNoOther) {
+  const TemporaryFolder folder;
+  Recorder recorder(options_for(folder.path() / "a.mcap", 1.0),
+                    std::make_unique<FakeSource>(wire::Type::module_sample, 1),
+                    std::make_unique<SlowSource>(wire::Type::loadcell_sample, 1));
+  const std::atomic<bool> stop{false};
+  const RecorderState state = recorder.run(stop);
+  EXPECT_GT(state.module.samples, 10 * state.loadcell.samples);
 }
 
 TEST(Recorder, StopsWhenItIsTold) {
