@@ -1,6 +1,7 @@
 #include "estimator/diagnosis/account.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "estimator/diagnosis/heldout.h"
 #include "estimator/diagnosis/refine.h"
@@ -10,6 +11,7 @@ namespace searig::estimator {
 namespace {
 
 constexpr int most_changes = 6;
+constexpr double tolerance = 0.003;        // of a held-out error: so much is chance
 constexpr double price_of_joining = 20.0;  // in deviance: one place less to explain
 
 class Accountant {
@@ -68,10 +70,20 @@ class Accountant {
     const Scored beside = search_.add_unnamed(named, 3);
     const Scored rivals = search_.add_either(out_.base, 4);
     search_.learn_noise(beside.hypothesis);  // to compare them under one noise
-    out_.final = search_.score(rivals.hypothesis).cost() < search_.score(beside.hypothesis).cost()
-                     ? rivals
-                     : beside;
+    const bool fits_better =
+        search_.score(rivals.hypothesis).cost() < search_.score(beside.hypothesis).cost();
+    out_.final = fits_better && predicts(rivals.hypothesis, beside.hypothesis) ? rivals : beside;
     refine_atoms();
+  }
+
+  /// Whether blocks that no fit saw are predicted no worse, all paths taken together.
+  bool predicts(const Hypothesis& one, const Hypothesis& other, double margin = tolerance) const {
+    const auto a = heldout_residuals(bench_, one), b = heldout_residuals(bench_, other);
+    double log_ratio = 0.0;
+    if (bench_.experiment().has_spring())
+      log_ratio += std::log(rms_of(a.spring) / rms_of(b.spring));
+    if (bench_.experiment().has_drive()) log_ratio += std::log(rms_of(a.drive) / rms_of(b.drive));
+    return log_ratio <= margin;
   }
 
   /// Atoms come from a coarse grid of places; what they tell is where.
@@ -130,10 +142,23 @@ class Accountant {
         out_.assessments.push_back(std::move(a));
         continue;
       }
-      out_.final = a.better ? *a.better : search_.score(a.without);
+      if (const auto alone = stronger_alone(a))
+        out_.final = *alone;
+      else
+        out_.final = a.better ? *a.better : search_.score(a.without);
       return true;
     }
     return false;
+  }
+
+  /// A piece that is weak beside atoms may be weak because they took its place: where the names
+  /// alone predict what no fit saw clearly better than the atoms without it, the names stay.
+  std::optional<Scored> stronger_alone(const Assessment& a) {
+    Hypothesis named = out_.final.hypothesis;
+    const auto is_atom = [](const Piece& p) { return p.atom != nullptr; };
+    if (std::erase_if(named, is_atom) == 0 || !predicts(named, a.without, -tolerance))
+      return std::nullopt;
+    return search_.score(named);
   }
 
   /// Whether blocks that no fit saw are predicted no worse with the piece than without it.
@@ -142,7 +167,7 @@ class Accountant {
     const auto without = heldout_residuals(bench_, a.without);
     const bool drive = piece.effect->path() == Path::drive || !bench_.experiment().has_spring();
     return rms_of(drive ? with.drive : with.spring) <=
-           1.003 * rms_of(drive ? without.drive : without.spring);
+           (1.0 + tolerance) * rms_of(drive ? without.drive : without.spring);
   }
 
   Bench& bench_;

@@ -33,6 +33,11 @@ void withdraw_contradicted(const Account& account, Diagnosis& out) {
                                     f.alternatives.front().effect.empty() &&
                                     f.alternatives.front().probability >= f.probability;
     if (a->consistent && !nameless_as_likely) return false;
+    if (a->consistent)
+      out.undecidable.push_back({{f.effect},
+                                 "it would explain the mismatch, but something without a name "
+                                 "explains it as well",
+                                 f.next_experiment});
     if (!out.unexplained)
       out.unexplained =
           Unexplained{f.located, 0.001,
