@@ -35,20 +35,25 @@ Derivatives local_cubic(std::span<const double> t, std::span<const double> x, do
   return {b[0] + x.front(), b[1] / scale, 2.0 * b[2] / (scale * scale)};
 }
 
+Window window_about(std::span<const double> t, std::size_t centre, double half_width_s) {
+  constexpr std::size_t least = 5;  // that a cubic with something to average needs
+  Window w{centre, centre + 1};
+  while (w.from > 0 && t[w.from - 1] >= t[centre] - half_width_s) --w.from;
+  while (w.to < t.size() && t[w.to] <= t[centre] + half_width_s) ++w.to;
+  while (w.to - w.from < least && (w.from > 0 || w.to < t.size())) {
+    const bool back =
+        w.to == t.size() || (w.from > 0 && t[centre] - t[w.from - 1] <= t[w.to] - t[centre]);
+    back ? --w.from : ++w.to;
+  }
+  return w;
+}
+
 Kinematics differentiate(std::span<const double> t, std::span<const double> x,
                          double half_width_s) {
   const std::size_t n = t.size();
   Kinematics out{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
-  std::size_t first = 0, last = 0;  // window [first, last)
   for (std::size_t i = 0; i < n; ++i) {
-    while (t[first] < t[i] - half_width_s) ++first;
-    last = std::max(last, i);
-    while (last < n && t[last] <= t[i] + half_width_s) ++last;
-    std::size_t from = first, to = last;
-    while (to - from < 5 && (from > 0 || to < n)) {  // sparse data: the nearest, not across a gap
-      const bool back = to == n || (from > 0 && t[i] - t[from - 1] <= t[to] - t[i]);
-      back ? --from : ++to;
-    }
+    const auto [from, to] = window_about(t, i, half_width_s);
     const auto d = local_cubic(t.subspan(from, to - from), x.subspan(from, to - from), t[i]);
     out.value[i] = d.value;
     out.first[i] = d.first;

@@ -17,8 +17,16 @@ struct Derivatives {
 /// times; with fewer it falls back to the straight line through the ends.
 Derivatives local_cubic(std::span<const double> t, std::span<const double> x, double at);
 
-/// The same for every sample of a channel, over the samples within +-half_width_s of it (at least
-/// five). Shapes: all vectors as long as t.
+/// The samples [from, to) within +-half_width_s of a centre; where they are sparse the nearest ones
+/// up to five, so that a gap is not reached across while there are neighbours on this side of it.
+/// What comes after t[to] has no say in it: a stream that has seen t[to] gets the same window.
+struct Window {
+  std::size_t from = 0, to = 0;
+};
+Window window_about(std::span<const double> t, std::size_t centre, double half_width_s);
+
+/// The same for every sample of a channel, over the window about it. Shapes: all vectors as long as
+/// t.
 struct Kinematics {
   std::vector<double> value, first, second;
 };

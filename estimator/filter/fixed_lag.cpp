@@ -9,13 +9,9 @@
 
 namespace searig::estimator {
 
-namespace {
-constexpr std::size_t least = 5;  // samples that a cubic with something to average needs
-}
-
 FixedLag::FixedLag(double half_width_s, std::size_t capacity)
     : half_width_(half_width_s), capacity_(capacity) {
-  if (!(half_width_s >= 0) || capacity < 4 * least) {
+  if (!(half_width_s >= 0) || capacity < 20) {
     throw std::invalid_argument("a fixed lag needs a half width of at least 0 s and 20 samples");
   }
   for (auto* channel : {&t_, &x_, &drive_}) channel->reserve(capacity);
@@ -40,20 +36,14 @@ std::optional<FixedLag::Rated> FixedLag::next() {
   return Rated{{t_[i], x_[i], drive_[i]}, d.value, d.first};
 }
 
-// The window [from, to) about the centre, once a sample beyond its right end has been seen. Where
-// samples are sparse it takes in neighbours, one on each side at a time.
+// The window about the centre, once the sample after it has been seen: what comes later
+// has no say in it.
 bool FixedLag::complete(std::size_t& from, std::size_t& to) const {
-  const std::size_t n = t_.size();
-  if (centre_ >= n) return false;
-  from = to = centre_;
-  while (from > 0 && t_[from - 1] >= t_[centre_] - half_width_) --from;
-  while (to < n && t_[to] <= t_[centre_] + half_width_) ++to;
-  while (to < n && to - from < least) {
-    if (from > 0) --from;
-    ++to;
-  }
-  const bool no_room_to_wait = n == capacity_ && centre_ <= kept_before_centre();
-  return to < n || no_room_to_wait;
+  if (centre_ >= t_.size()) return false;
+  const Window window = window_about(t_, centre_, half_width_);
+  from = window.from, to = window.to;
+  const bool no_room_to_wait = t_.size() == capacity_ && centre_ <= kept_before_centre();
+  return to < t_.size() || no_room_to_wait;
 }
 
 // Drops what lies so far back that no window needs it.
