@@ -121,7 +121,8 @@ void write_rivals(HtmlReport& report, const Finding& f) {
   }
 }
 
-void write_finding(HtmlReport& report, const Diagnosis& d, const Finding& f) {
+void write_finding(HtmlReport& report, const Examined& examined, const Finding& f) {
+  const Diagnosis& d = examined.diagnosis;
   const auto& about = estimator::find_effect(f.effect)->about();
   report.heading("Missing: " + about.title);
   report.paragraph("In the model file it is called " + f.effect +
@@ -132,6 +133,8 @@ void write_finding(HtmlReport& report, const Diagnosis& d, const Finding& f) {
                    " % of the mismatch" +
                    (place.empty() ? "." : "; most of it lies at " + place + "."));
   write_parameters(report, f.parameters);
+  const std::string waves = waves_per_turn(f, examined.signals.gear_ratio);
+  if (!waves.empty()) report.paragraph(waves);
   write_rivals(report, f);
 }
 
@@ -180,6 +183,7 @@ void write_maps(HtmlReport& report, const Examined& examined) {
       {"loadcell-drive", "Load cell less motor current"},
       {"drive-spring", "Motor current less spring"}};
   for (const auto& [residual, title] : maps) {
+    if (!d.spring && std::string_view(residual).ends_with("spring")) continue;
     const std::string svg = mismatch_map(d.map, residual, title, both);
     if (!svg.empty()) report.figure_svg(svg, std::string(title) + ", part by part.");
   }
@@ -262,7 +266,7 @@ HtmlReport diagnosis_report(const Examined& examined) {
   HtmlReport report(title_with(examined));
   report.verdict(headline(d));
   write_facts(report, examined);
-  for (const Finding& f : d.findings) write_finding(report, d, f);
+  for (const Finding& f : d.findings) write_finding(report, examined, f);
   write_pictures(report, examined);
   write_maps(report, examined);
   write_errors(report, d);

@@ -261,4 +261,15 @@ std::vector<std::string> sentences(const Diagnosis& d,
   return out;
 }
 
+std::string waves_per_turn(const Finding& finding, double gear_ratio) {
+  std::vector<std::string> waves;
+  for (const ParameterEstimate& p : in_order(finding.parameters))
+    if (p.effect == "drive.ripple" && p.name.starts_with("cycles"))
+      waves.push_back(figures(p.value / gear_ratio, 3));
+  if (waves.empty() || gear_ratio == 1.0) return "";
+  return "There are " + joined(waves) +
+         " waves to each turn of the motor; what repeats that often makes them: magnet poles, "
+         "windings, slots, gear teeth.";
+}
+
 }  // namespace searig::app

@@ -45,4 +45,8 @@ std::vector<std::string> moved_numbers(const estimator::Diagnosis& diagnosis,
 std::vector<std::string> sentences(const estimator::Diagnosis& diagnosis,
                                    const std::optional<estimator::Model>& given);
 
+/// Of a ripple, in words: how many waves each turn of the motor has. Empty where the finding is
+/// another one, or the gear ratio is not known (1).
+std::string waves_per_turn(const estimator::Finding& finding, double gear_ratio);
+
 }  // namespace searig::app

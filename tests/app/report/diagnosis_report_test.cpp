@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "app/report/diagnosis_words.h"
 #include "tests/app/report/diagnosis_sample.h"
@@ -57,6 +58,25 @@ TEST(DiagnosisWords, AreShortAndCarryTheNumbers) {
         "larger deflections", "Next experiment: The same motion"}) {
     EXPECT_TRUE(has(all, part)) << part << "\n" << all;
   }
+}
+
+TEST(DiagnosisReport, DrawsNoSpringWhereThereIsNone) {
+  Examined examined = sample_diagnosis();
+  auto& d = examined.diagnosis;
+  d.drive = std::exchange(d.spring, {});
+  d.traces.drive_before_nm = d.traces.spring_before_nm;
+  d.traces.drive_after_nm = d.traces.spring_after_nm;
+  EXPECT_FALSE(has(diagnosis_report(examined).text(), "Load cell less spring, part by part"));
+}
+
+TEST(DiagnosisWords, CountARipplesWavesPerTurnOfTheMotor) {
+  estimator::Finding ripple;
+  ripple.effect = "drive.ripple";
+  ripple.parameters = {{"drive.ripple", "cycles_per_rad", 378.0, 377.0, 379.0},
+                       {"drive.ripple", "cycles2_per_rad", 189.0, 188.0, 190.0}};
+  EXPECT_TRUE(has(waves_per_turn(ripple, 9.0), "There are 42.0 and 21.0 waves"));
+  EXPECT_EQ(waves_per_turn(ripple, 1.0), "");
+  EXPECT_EQ(waves_per_turn({}, 9.0), "");
 }
 
 TEST(DiagnosisWords, NeverSayThatSomethingIsCertain) {
