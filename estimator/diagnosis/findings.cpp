@@ -9,6 +9,7 @@
 #include "estimator/diagnosis/locate.h"
 #include "estimator/diagnosis/next_experiment.h"
 #include "estimator/diagnosis/parameters.h"
+#include "estimator/diagnosis/polish.h"
 #include "estimator/diagnosis/remainder.h"
 #include "estimator/diagnosis/undecidable.h"
 
@@ -136,11 +137,45 @@ void propose(const Bench& bench, const Account& account, Diagnosis& out) {
     Finding& f = out.findings[i];
     const Assessment& a = account.assessments[i];
     const bool open = !a.rivals.empty();
-    const auto choice = rehearsal.best_against(open ? a.rivals : std::vector<Hypothesis>{a.without});
+    const auto choice =
+        rehearsal.best_against(open ? a.rivals : std::vector<Hypothesis>{a.without});
     if (!choice || choice->deviance < telling) continue;
     f.next_motion = choice->motion;
     f.next_experiment = words_for(choice->motion) + ": " + expectation(choice->deviance, open);
   }
+}
+
+/// Of the terms that the model already had.
+std::vector<ParameterEstimate> numbers_of(std::vector<ParameterEstimate> parameters,
+                                          const Model& given) {
+  std::erase_if(parameters, [&](const auto& p) { return !given.has(p.effect); });
+  return parameters;
+}
+
+bool asserts(const Diagnosis& out, const std::string& effect) {
+  return std::ranges::any_of(out.findings, [&](const Finding& f) {
+    return std::ranges::any_of(f.parameters, [&](const auto& p) { return p.effect == effect; });
+  });
+}
+
+/// The model that is handed on holds what is asserted. What was taken back must not leave its mark
+/// on the numbers of what stays: they are fitted anew without it.
+void settle_numbers(const Bench& bench, const Hypothesis& final, const Model& given,
+                    Diagnosis& out) {
+  Hypothesis kept = final;
+  const auto taken_back = [&](const Piece& p) {
+    return p.effect && !given.has(p.effect->name()) && !asserts(out, p.effect->name());
+  };
+  if (std::erase_if(kept, taken_back) == 0) return;
+  kept = polish(bench, std::move(kept));
+  const Fit fit = bench.fit(kept);
+  out.extended = model_of(bench, kept, fit, fit.solution.coefficients, given);
+  const auto parameters = estimate_parameters(bench, kept, fit, given);
+  out.numbers = numbers_of(parameters, given);
+  for (Finding& f : out.findings)
+    for (ParameterEstimate& p : f.parameters)
+      for (const auto& now : parameters)
+        if (now.effect == p.effect && now.name == p.name) p = now;
 }
 
 }  // namespace
@@ -151,12 +186,11 @@ double state_findings(const Bench& bench, const Account& account, const PathResi
   const Fit fit = bench.fit(final);
   out.extended = model_of(bench, final, fit, fit.solution.coefficients, given);
   const auto parameters = estimate_parameters(bench, final, fit, given);
+  out.numbers = numbers_of(parameters, given);
   for (const auto& a : account.assessments)
     out.findings.push_back(finding(bench, account, after, a, parameters, out));
   propose(bench, account, out);
   std::ranges::stable_sort(out.findings, std::greater{}, &Finding::probability);
-  for (const auto& p : parameters)
-    if (given.has(p.effect)) out.numbers.push_back(p);
   out.unexplained = nameless(bench, final, after, atoms, out);
   for (const auto look : {wanders, blows, loud_while})
     if (!out.unexplained && bench.method().looks_for_nameless) out.unexplained = look(bench, final);
@@ -165,13 +199,7 @@ double state_findings(const Bench& bench, const Account& account, const PathResi
   const double zero_nm = settle_offsets(bench, final, fit, out);
   merge_late(out);
   leave_to_the_clock(bench, out);
-  // The model that is handed on holds what is asserted, not what was taken back.
-  std::erase_if(out.extended.terms, [&](const Term& t) {
-    const auto says = [&](const Finding& f) {
-      return std::ranges::any_of(f.parameters, [&](const auto& p) { return p.effect == t.effect; });
-    };
-    return !given.has(t.effect) && std::ranges::none_of(out.findings, says);
-  });
+  settle_numbers(bench, final, given, out);
   for (auto& u : undecidable(bench, final)) out.undecidable.push_back(std::move(u));
   return zero_nm;
 }

@@ -24,7 +24,9 @@ struct Residual {
     for (std::size_t from = 0, to; from < x.size(); from = to) {
       double sum = 0.0;
       for (to = from; to < x.size() && same_block(from, to, seconds); ++to) sum += x[to];
-      out.push_back(sum / double(to - from));
+      // A last block that is cut short says less than the others, and is left out.
+      if (to < x.size() || t[to - 1] - t[from] > 0.45 * seconds)
+        out.push_back(sum / double(to - from));
     }
     return out;
   }
