@@ -169,7 +169,7 @@ TEST(Estimates, OfWhatCannotBeEvaluatedNameTheRecording) {
 TEST(WrongUse, ExitsWithTwoAndSaysWhere) {
   const Files files;
   for (const std::string& arguments :
-       {std::string(""), std::string("calibrate"), std::string("info"),
+       {std::string(""), std::string("tune"), std::string("info"),
         "info --loud " + files.path(), "info " + files.path() + " another",
         "export " + files.path(), "export --format xls --out x " + files.path(),
         std::string("demo --seconds soon")}) {
@@ -178,7 +178,7 @@ TEST(WrongUse, ExitsWithTwoAndSaysWhere) {
     EXPECT_EQ(ran.out, "") << arguments;
     EXPECT_NE(ran.err, "") << arguments;
   }
-  EXPECT_NE(run_program("searig calibrate").err.find("no command calibrate"), std::string::npos);
+  EXPECT_NE(run_program("searig tune").err.find("no command tune"), std::string::npos);
 }
 
 TEST(Help, HasAnExampleForEveryCommand) {
