@@ -1,30 +1,46 @@
-// The numbers of the simulated module and its rig, each with where it comes from.
+// The numbers of a simulated module and its rig.
+//
+// The defaults are the demo's module: of the paper's kind, with a drive whose owner can know it
+// exactly, so that a first look shows the method and not its limits. The paper's own module, with
+// what the paper says of it, is paper_module() in paper_module.h.
 //
 // "Paper" is D. Rollinson et al., "Online Calibration of a Compact Series Elastic Actuator";
-// "chosen" is a value of the right size that makes the paper's figures 4-11 come out alike.
-// Everything on the drive side is reflected to the output of the gear train.
+// "chosen" is a value of the right size. Everything on the drive side is reflected to the output of
+// the gear train.
 #pragma once
 
+#include <limits>
 #include <numbers>
+#include <vector>
 
 namespace searig::estimator::twin {
 
-/// Rubber sheared between two plates: a standard linear solid that softens as it is worked.
+/// A spring and a dashpot in a row, beside the spring that stays: what makes rubber relax.
+struct MaxwellBranch {
+  double stiffness_nm_per_rad;
+  double time_s;
+};
+
+/// Rubber sheared between two plates, which softens as it is worked.
 struct SpringParameters {
-  double stiffness_nm_per_rad = 40.0;      ///< chosen: 6 N*m at 8.6 degrees
-  double loss_stiffness_nm_per_rad = 2.0;  ///< chosen: the branch that relaxes, 5 % of the whole
-  double loss_time_s = 0.15;               ///< chosen
+  double stiffness_nm_per_rad = 40.0;  ///< at rest, unworn; chosen: 6 N*m at 8.6 degrees
+  std::vector<MaxwellBranch> branches = {{2.0, 0.15}};  ///< chosen: 5 % of the whole
   double softening_share = 0.25;   ///< paper, figure 3: "changed by about 25 %" (Mullins effect)
   double softening_work_j = 25.0;  ///< chosen: work done at which 63 % of the softening is there
+  double recovery_time_s = std::numeric_limits<double>::infinity();  ///< at rest; none
+  double worn_at_start = 0.0;  ///< share of the softening that is there already
 };
 
 /// Brushless motor and spur gears.
 struct DriveParameters {
   double gear_ratio = 349.0;               ///< paper, section III
   double torque_constant_nm_per_a = 2.6;   ///< chosen: with the efficiency 6.8 N*m at full current
-  double efficiency = 0.75;                ///< chosen, for several spur stages in a row
+  double efficiency = 0.75;                ///< of every torque, whichever way it goes; chosen
   double inertia_kg_m2 = 0.012;            ///< chosen: a 1e-7 kg*m^2 rotor times 349^2
-  double coulomb_nm = 0.4;                ///< chosen; the paper shows the sticking, not the number
+  double coulomb_nm = 0.4;                 ///< chosen; the paper shows the sticking, not the number
+  double stribeck_nm = 0.0;                ///< what sticking adds to it; none
+  double stribeck_velocity_rad_s = 0.05;   ///< where that is down to 37 %
+  double load_friction_share = 0.0;        ///< friction per torque through the teeth; none
   double viscous_nm_s_per_rad = 0.15;      ///< chosen
   double backlash_half_width_rad = 0.004;  ///< chosen: 0.46 degrees of play in all
   double current_limit_a = 3.5;            ///< chosen: "over 6 N-m of torque", figure 1

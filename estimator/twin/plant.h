@@ -2,32 +2,9 @@
 #pragma once
 
 #include "estimator/twin/parameters.h"
+#include "estimator/twin/rubber_spring.h"
 
 namespace searig::estimator::twin {
-
-/// The rubber between input and output plate.
-///
-///   T = s * (k*theta + k1*(theta - x)),   dx/dt = (theta - x)/tau      (standard linear solid)
-///   s = 1 - share*(1 - exp(-W/W0)),       W = integral of |T dtheta|   (softening with work done)
-class RubberSpring {
- public:
-  explicit RubberSpring(const SpringParameters& parameters) : parameters_(parameters) {}
-
-  double torque_nm(double deflection_rad) const;
-  /// The deflection at which the spring pushes on neither plate.
-  double rest_deflection_rad() const;
-  /// What k is now, softened.
-  double stiffness_nm_per_rad() const;
-  void step(double deflection_rad, double dt_s);
-
- private:
-  double softness() const;
-
-  SpringParameters parameters_;
-  double relaxed_rad_ = 0.0;  ///< x
-  double deflection_rad_ = 0.0;
-  double work_j_ = 0.0;  ///< W
-};
 
 struct PlantState {
   double train_angle_rad = 0.0;  ///< motor angle over the gear ratio, before the backlash
@@ -52,6 +29,7 @@ class Plant {
   const RubberSpring& spring() const { return spring_; }
 
  private:
+  double friction_nm() const;
   void move_train(double current_a, double dt_s);
   void seat_input_plate();
   void move_lever(double hand_angle_rad, double dt_s);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimator/twin/control.h"
+
 namespace searig::estimator::twin {
 namespace {
 
@@ -26,17 +28,12 @@ void Twin::advance_to(double t_s) {
   }
 }
 
-// I = Kp*(commanded - train) - Kd*w, held for one period and limited as the amplifier limits it.
+// Held for one period.
 void Twin::control() {
-  const auto& controller = parameters_.controller;
-  const double t_s = static_cast<double>(steps_ / steps_per_control) * controller.period_s;
+  const double t_s =
+      static_cast<double>(steps_ / steps_per_control) * parameters_.controller.period_s;
   commanded_angle_rad_ = motion_.commanded_angle_rad(t_s);
-  const auto& state = plant_.state();
-  const double wanted =
-      controller.proportional_a_per_rad * (commanded_angle_rad_ - state.train_angle_rad) -
-      controller.derivative_a_s_per_rad * state.train_velocity_rad_s;
-  const double limit = parameters_.drive.current_limit_a;
-  current_a_ = std::clamp(wanted, -limit, limit);
+  current_a_ = loop_current_a(parameters_, commanded_angle_rad_, plant_.state());
 }
 
 ModuleReading Twin::read_module() {

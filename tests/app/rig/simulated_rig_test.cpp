@@ -59,7 +59,7 @@ TEST(SimulatedRig, ClocksAreFoundAsTheyAre) {
 TEST(SimulatedRig, LoadCellReadsTheSpring) {
   RigSettings settings;
   settings.parameters.spring.softening_share = 0.0;
-  settings.parameters.spring.loss_stiffness_nm_per_rad = 0.0;
+  settings.parameters.spring.branches.clear();
   SimulatedRig rig(settings);
   rig.run_until(20.0);
   const auto& module = rig.recording().module;

@@ -12,7 +12,7 @@ constexpr double dt_s = 1e-4;
 /// A spring that is only linear, so that torques can be said in advance.
 Parameters linear() {
   Parameters parameters;
-  parameters.spring.loss_stiffness_nm_per_rad = 0.0;
+  parameters.spring.branches.clear();
   parameters.spring.softening_share = 0.0;
   return parameters;
 }
@@ -85,22 +85,44 @@ TEST(Plant, CurrentIsLimited) {
   EXPECT_EQ(at_limit.state().train_angle_rad, beyond.state().train_angle_rad);
 }
 
-TEST(RubberSpring, SoftensByTheStatedShare) {
-  SpringParameters parameters;
-  RubberSpring spring(parameters);
-  EXPECT_DOUBLE_EQ(spring.stiffness_nm_per_rad(), 40.0);
-  for (int i = 0; i < 400000; ++i) spring.step(0.15 * std::sin(6.3e-3 * i), 1e-3);
-  EXPECT_NEAR(spring.stiffness_nm_per_rad(), 30.0, 0.1);
+// Breaking away takes the Stribeck part, sliding on does not.
+TEST(Plant, SticksMoreThanItSlides) {
+  Parameters parameters = linear();
+  parameters.drive.stribeck_nm = 0.3;
+  const auto& drive = parameters.drive;
+  const double sliding = drive.coulomb_nm / drive.efficiency / drive.torque_constant_nm_per_a;
+  const double breaking =
+      (drive.coulomb_nm + drive.stribeck_nm) / drive.efficiency / drive.torque_constant_nm_per_a;
+  Plant plant(parameters);
+  hold(plant, 0.99 * breaking, 0.0, 0.5);
+  EXPECT_EQ(plant.state().train_angle_rad, 0.0);
+  for (double hand = 0.0; plant.state().train_velocity_rad_s < 0.3; hand += 1e-4) {
+    plant.step(1.5 * breaking, hand, dt_s);  // a hand that gives way
+  }
+  const double before = plant.state().train_velocity_rad_s;
+  plant.step(sliding + (plant.state().spring_torque_nm +
+                        drive.viscous_nm_s_per_rad * plant.state().train_velocity_rad_s) /
+                           drive.efficiency / drive.torque_constant_nm_per_a,
+             0.0, dt_s);
+  EXPECT_NEAR(plant.state().train_velocity_rad_s, before, 1e-6);
 }
 
-TEST(RubberSpring, RelaxesToItsStiffnessAtRest) {
-  SpringParameters parameters;
-  parameters.softening_share = 0.0;
-  RubberSpring spring(parameters);
-  EXPECT_NEAR(spring.torque_nm(0.1), 4.2, 1e-12);  // (k + k1)*theta before x has moved
-  for (int i = 0; i < 20000; ++i) spring.step(0.1, 1e-4);
-  EXPECT_NEAR(spring.torque_nm(0.1), 4.0, 1e-4);
-  EXPECT_NEAR(spring.torque_nm(spring.rest_deflection_rad()), 0.0, 1e-12);
+// T*(1 + mu) to raise a load, T*(1 - mu) to let it down.
+TEST(Plant, TeethRubByWhatTheyCarry) {
+  Parameters parameters = linear();
+  parameters.drive.coulomb_nm = 0.0;
+  parameters.drive.load_friction_share = 0.2;
+  const double driven =
+      parameters.drive.efficiency * parameters.drive.torque_constant_nm_per_a * 1.0;
+
+  Plant pushed(parameters);
+  for (double current = 0.0; current < 1.0; current += 2e-5) pushed.step(current, 0.0, dt_s);
+  EXPECT_NEAR(pushed.state().spring_torque_nm, driven / 1.2, 0.02);
+
+  Plant let_back(parameters);
+  for (double current = 0.0; current < 2.0; current += 2e-5) let_back.step(current, 0.0, dt_s);
+  for (double current = 2.0; current > 1.0; current -= 2e-5) let_back.step(current, 0.0, dt_s);
+  EXPECT_NEAR(let_back.state().spring_torque_nm, driven / 0.8, 0.02);
 }
 
 }  // namespace
