@@ -16,6 +16,26 @@ std::size_t steps_back(const std::vector<double>& host_s) {
   return count;
 }
 
+/// What only matters where the line alone says when things were.
+std::string doubt_of_line(const Stream& stream, const HostLine& line) {
+  if (line.timer == Timer::locked && line.unseen_wait_s > kTrustedInterval)
+    return "the " + stream.name +
+           printed(
+               " stream's own step is a whole multiple of the %.0f ms of a USB timer, so a wait of "
+               "up to %.0f ms would not show",
+               1e3 * kUsbTimer, 1e3 * line.unseen_wait_s);
+  if (line.ci95_s() > kTrustedInterval)
+    return "the halves of the " + stream.name +
+           printed(" stream disagree by %.1f ms", 1e3 * line.halves_apart_s);
+  return {};
+}
+
+std::string doubt(const Stream& stream, const PingedRun& pinged) {
+  const double ci_s = pinged.ci95_s(pinged.moments[pinged.moments.size() / 2].t_s);
+  if (ci_s <= kTrustedInterval) return {};
+  return "the pings to the " + stream.name + printed(" leave %.1f ms open", 1e3 * ci_s);
+}
+
 }  // namespace
 
 std::string printed(const char* format, double a, double b) {
@@ -24,7 +44,8 @@ std::string printed(const char* format, double a, double b) {
   return text;
 }
 
-std::string doubt(const Stream& stream, const HostLine& line) {
+std::string doubt(const Stream& stream, const DeviceTrack& track) {
+  const HostLine& line = track.line;
   if (line.rows < kFewRows)
     return "the " + stream.name + printed(" stream has only %.0f rows", double(line.rows));
   if (line.seconds < kShortRun)
@@ -39,16 +60,7 @@ std::string doubt(const Stream& stream, const HostLine& line) {
     return "a few rows of the " + stream.name +
            printed(" stream arrived %.1f ms before all others can, so the host's clock was set",
                    1e3 * line.lowest_percent_s);
-  if (line.timer == Timer::locked && line.unseen_wait_s > kTrustedInterval)
-    return "the " + stream.name +
-           printed(
-               " stream's own step is a whole multiple of the %.0f ms of a USB timer, so a wait of "
-               "up to %.0f ms would not show",
-               1e3 * kUsbTimer, 1e3 * line.unseen_wait_s);
-  if (line.ci95_s() > kTrustedInterval)
-    return "the halves of the " + stream.name +
-           printed(" stream disagree by %.1f ms", 1e3 * line.halves_apart_s);
-  return {};
+  return track.pinged ? doubt(stream, *track.pinged) : doubt_of_line(stream, line);
 }
 
 bool heard_together(const Stream& a, const Stream& b) {

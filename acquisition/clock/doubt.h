@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "acquisition/clock/host_clock.h"
+#include "acquisition/clock/device_track.h"
 #include "acquisition/recording/recording.h"
 
 namespace searig::acquisition {
 
-/// Why this stream's delay line cannot be trusted, as the rest of a sentence; empty where it can.
-std::string doubt(const Stream& stream, const HostLine& line);
+/// Why this track of a stream cannot be trusted, as the rest of a sentence; empty where it can.
+std::string doubt(const Stream& stream, const DeviceTrack& track);
 
 /// Whether two streams were received at the same time, at least in part.
 bool heard_together(const Stream& a, const Stream& b);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "arduino/firmware/payloads.h"
+
 namespace searig::acquisition {
 namespace {
 
@@ -45,6 +47,10 @@ double last_at_least_zero(double inside, double end, Function function) {
 }
 
 }  // namespace
+
+double least_ping_wire_s(unsigned baud) {
+  return least_wire_s(wire::kHeaderSize + wire::PingPayload::kSize + wire::kCrcSize + 2, baud);
+}
 
 void PingClock::take(const Exchange& exchange) {
   from_below_.push_back(
@@ -123,18 +129,6 @@ std::optional<PingEstimate> PingClock::at(double device_s) const {
   estimate.rate = 1.0 + 0.5 * (slopes.low + slopes.high);
   estimate.rate_ci95 = 0.5 * (slopes.high - slopes.low);
   return estimate;
-}
-
-ClockMap map_by_pings(const PingEstimate& loadcell, const PingEstimate& module) {
-  // host = t + theta + (rate - 1)(t - at) for each; the module's solved for its own time.
-  ClockMap map;
-  map.rate = loadcell.rate / module.rate;
-  const double host_s = loadcell.at_s + loadcell.theta_s;
-  const double module_s = module.at_s + (host_s - module.at_s - module.theta_s) / module.rate;
-  map.offset_s = module_s - map.rate * loadcell.at_s;
-  map.ci95_s = loadcell.ci95_s + module.ci95_s;
-  map.why = "two-way pings";
-  return map;
 }
 
 }  // namespace searig::acquisition

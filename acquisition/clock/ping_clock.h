@@ -15,23 +15,18 @@
 #include <deque>
 #include <optional>
 
-#include "acquisition/clock/synchronise.h"
+#include "acquisition/recording/recording.h"
 
 namespace searig::acquisition {
-
-/// The four times of a two-way exchange, s.
-struct Exchange {
-  double host_sent_s = 0.0;
-  double device_received_s = 0.0;
-  double device_sent_s = 0.0;
-  double host_received_s = 0.0;
-};
 
 /// The least time that bytes take on a serial line, s. 10 bits a byte; a 16 MHz Arduino makes
 /// 117647 of 115200 baud, so a line may be that much faster than it is said to be.
 inline double least_wire_s(std::size_t bytes, unsigned baud) {
-  return 0.97 * 10.0 * static_cast<double>(bytes) / baud;
+  return baud == 0 ? 0.0 : 0.97 * 10.0 * static_cast<double>(bytes) / baud;
 }
+
+/// Of a ping, and of the pong, which is as long.
+double least_ping_wire_s(unsigned baud);
 
 struct PingClockOptions {
   double least_there_s = 0.0;     ///< a ping's way takes at least this long (its time on the wire)
@@ -83,8 +78,5 @@ class PingClock {
   std::deque<Bound> from_above_;  ///< by pongs and by the best arrival in each while
   double best_until_s_ = 0.0;     ///< end of the while that from_above_'s last arrival is best of
 };
-
-/// The load cell's clock on the module's: both hold at about the same moment.
-ClockMap map_by_pings(const PingEstimate& loadcell, const PingEstimate& module);
 
 }  // namespace searig::acquisition

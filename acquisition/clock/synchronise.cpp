@@ -6,58 +6,83 @@
 #include <span>
 
 #include "acquisition/clock/align_velocity.h"
+#include "acquisition/clock/device_track.h"
 #include "acquisition/clock/doubt.h"
-#include "acquisition/clock/host_clock.h"
 
 namespace searig::acquisition {
 namespace {
 
 constexpr double kHiddenLatency = 0.004;  // s, the most an undeclared fixed latency is taken to be
+constexpr double kPiece = 10.0;           // s, of a clock that runs unevenly
 
-/// The host lines of all runs of a stream; short runs borrow the rate of the longest.
-std::vector<HostLine> host_lines(const Stream& stream) {
-  const std::vector<Run> runs = runs_of(stream);
-  const std::size_t longest = longest_run(stream);
-  const auto part = [&](const std::vector<double>& values, std::size_t run) {
-    return std::span(values).subspan(runs[run].first, runs[run].size());
-  };
-  const HostLine main = fit_host_line(part(stream.t_s, longest), part(stream.host_s, longest));
-  std::vector<HostLine> lines;
-  for (std::size_t run = 0; run < runs.size(); ++run) {
-    const auto t = part(stream.t_s, run), host = part(stream.host_s, run);
-    const bool short_run = t.size() < kFewRows || t.back() - t.front() < 2.0 * kShortRun;
-    lines.push_back(run == longest ? main
-                    : short_run    ? fit_host_line(t, host, main.delay.slope)
-                                   : fit_host_line(t, host));
+/// device time -> host time -> module time, as one line over the run.
+RunMap through_host(const DeviceTrack& device, const DeviceTrack& module) {
+  const double at = device.line.delay.at;
+  const double rate = device.line.rate() / module.line.rate();
+  return {device.run.first, device.run.last, rate, module.device(device.host(at)) - rate * at};
+}
+
+/// The same piece by piece, each as straight as a clock is over a few seconds.
+std::vector<RunMap> through_host(const std::vector<double>& t_s, const DeviceTrack& device,
+                                 const DeviceTrack& module) {
+  if (!device.bent() && !module.bent()) return {through_host(device, module)};
+  std::vector<RunMap> pieces;
+  for (std::size_t first = device.run.first; first < device.run.last;) {
+    std::size_t last = first + 1;
+    while (last < device.run.last && t_s[last] < t_s[first] + kPiece) ++last;
+    const double from = t_s[first], to = from + kPiece;
+    const double module_s = module.device(device.host(from));
+    const double rate = (module.device(device.host(to)) - module_s) / (to - from);
+    pieces.push_back({first, last, rate, module_s - rate * from});
+    first = last;
   }
-  return lines;
+  return pieces;
 }
 
-/// device time -> host time of the event -> module time, as one line over a run.
-RunMap through_host(const Run& run, const HostLine& device, double device_latency,
-                    const HostLine& module, double module_latency) {
-  const double at = device.delay.at;
-  const double host = device.host(at) - device_latency;
-  const double origin = module.delay.at;
-  const double module_s = origin + (host - (module.host(origin) - module_latency)) / module.rate();
-  const double rate = device.rate() / module.rate();
-  return {run.first, run.last, rate, module_s - rate * at};
+/// How far the fixed latencies may be off that pings do not show, together.
+double hidden_s(const Recording& recording, const DeviceTrack& module,
+                const DeviceTrack& loadcell) {
+  const auto of = [](const Stream& stream, const DeviceTrack& track) {
+    if (track.pinged) return 0.0;
+    return stream.host_latency ? stream.host_latency->ci95_s : 0.5 * kHiddenLatency;
+  };
+  const double m = of(recording.module, module), l = of(recording.loadcell, loadcell);
+  const bool nothing_known = !module.pinged && !loadcell.pinged && !recording.module.host_latency &&
+                             !recording.loadcell.host_latency;
+  return nothing_known ? m + l : std::hypot(m, l);
 }
 
-/// What is known of the two fixed latencies, and how far their difference may be off.
-struct Latencies {
-  double module_s = 0.0;
-  double loadcell_s = 0.0;
-  double ci95_s = kHiddenLatency;
-};
+/// What a latency is taken for without pings. That of both is the same, if nothing is known.
+double latency_of(const Stream& stream) {
+  return stream.host_latency ? stream.host_latency->latency_s : 0.5 * kHiddenLatency;
+}
 
-Latencies latencies(const Recording& recording) {
-  const auto& module = recording.module.host_latency;
-  const auto& loadcell = recording.loadcell.host_latency;
-  if (!module && !loadcell) return {};  // the same for both is the best guess there is
-  const HostLatency unknown{0.5 * kHiddenLatency, 0.5 * kHiddenLatency};
-  const HostLatency m = module.value_or(unknown), l = loadcell.value_or(unknown);
-  return {m.latency_s, l.latency_s, std::hypot(m.ci95_s, l.ci95_s)};
+/// How well a device's time is placed on the host's clock, near a device time.
+double placed_s(const DeviceTrack& track, double t_s) {
+  return track.pinged ? track.pinged->ci95_s(t_s) : track.line.ci95_s();
+}
+
+/// One sentence for a map that is trusted.
+std::string evidence(const DeviceTrack& module, double module_ci_s, const DeviceTrack& loadcell,
+                     double loadcell_ci_s, double seen_s, double hidden_s) {
+  if (!module.pinged || !loadcell.pinged)
+    return printed(
+        "the arrivals place the two clocks within %.3f ms; the fixed part of a one-way latency, "
+        "which they cannot show, may hide %.1f ms more.",
+        1e3 * seen_s, 1e3 * hidden_s);
+  const char* const bent = module.bent() || loadcell.bent()
+                               ? "; the clocks run unevenly and are followed piece by piece."
+                               : ".";
+  return printed(
+             "two-way pings place the module's clock within %.3f ms and the load cell's "
+             "within %.3f ms",
+             1e3 * module_ci_s, 1e3 * loadcell_ci_s) +
+         bent;
+}
+
+/// The device time in the middle of a run.
+double middle_of(const Stream& stream, const Run& run) {
+  return 0.5 * (stream.t_s[run.first] + stream.t_s[run.last - 1]);
 }
 
 RunMap as_it_is(const Run& run) {
@@ -115,32 +140,45 @@ ClockMap by_velocity(const Stream& module, const Stream& device) {
 }  // namespace
 
 ClockMap synchronise(const Recording& recording) {
+  if (recording.loadcell.t_s.empty()) {  // a module's own log
+    ClockMap map;
+    map.module_runs.push_back(as_it_is(runs_of(recording.module)[longest_run(recording.module)]));
+    map.trusted = false;
+    map.why = "there is no load cell.";
+    return map;
+  }
   if (recording.one_clock || recording.module.host_s.empty() || recording.loadcell.host_s.empty())
     return on_one_clock(recording);
 
-  const std::vector<HostLine> module = host_lines(recording.module);
-  const std::vector<HostLine> loadcell = host_lines(recording.loadcell);
-  const HostLine& module_main = module[longest_run(recording.module)];
-  const std::size_t loadcell_longest = longest_run(recording.loadcell);
-  const HostLine& loadcell_main = loadcell[loadcell_longest];
-  const Latencies latency = latencies(recording);
+  const auto module = device_tracks(recording.module, latency_of(recording.module));
+  const auto loadcell = device_tracks(recording.loadcell, latency_of(recording.loadcell));
+  const DeviceTrack& module_main = module[longest_run(recording.module)];
+  const DeviceTrack& loadcell_main = loadcell[longest_run(recording.loadcell)];
 
   ClockMap map;
-  const std::vector<Run> module_runs = runs_of(recording.module);
-  for (std::size_t run = 0; run < module.size(); ++run)
-    map.module_runs.push_back(&module[run] == &module_main
-                                  ? as_it_is(module_runs[run])
-                                  : through_host(module_runs[run], module[run], latency.module_s,
-                                                 module_main, latency.module_s));
-  const std::vector<Run> loadcell_runs = runs_of(recording.loadcell);
-  for (std::size_t run = 0; run < loadcell.size(); ++run)
-    map.loadcell_runs.push_back(through_host(loadcell_runs[run], loadcell[run], latency.loadcell_s,
-                                             module_main, latency.module_s));
+  const auto add = [&](std::vector<RunMap>& runs, const Stream& stream, const DeviceTrack& track) {
+    for (const RunMap& piece : through_host(stream.t_s, track, module_main)) runs.push_back(piece);
+  };
+  for (const DeviceTrack& track : module) {
+    if (&track == &module_main)
+      map.module_runs.push_back(as_it_is(track.run));
+    else
+      add(map.module_runs, recording.module, track);
+  }
+  for (const DeviceTrack& track : loadcell) add(map.loadcell_runs, recording.loadcell, track);
 
-  map.rate = map.loadcell_runs[loadcell_longest].rate;
-  map.offset_s = map.loadcell_runs[loadcell_longest].offset_s;
-  const double seen = std::hypot(module_main.ci95_s(), loadcell_main.ci95_s());
-  map.ci95_s = latency.ci95_s + seen;
+  const double middle_s = middle_of(recording.loadcell, loadcell_main.run);
+  const double module_s = module_main.device(loadcell_main.host(middle_s));
+  map.rate = loadcell_main.line.rate() / module_main.line.rate();
+  map.offset_s = module_s - map.rate * middle_s;
+  const double module_ci_s = placed_s(module_main, module_s);
+  const double loadcell_ci_s = placed_s(loadcell_main, middle_s);
+  // Bounds add up; what is seen of latencies is by chance.
+  const double seen_s = module_main.pinged || loadcell_main.pinged
+                            ? module_ci_s + loadcell_ci_s
+                            : std::hypot(module_ci_s, loadcell_ci_s);
+  const double hidden = hidden_s(recording, module_main, loadcell_main);
+  map.ci95_s = hidden + seen_s;
 
   std::string reason = doubt(recording.module, module_main);
   if (reason.empty()) reason = doubt(recording.loadcell, loadcell_main);
@@ -148,10 +186,7 @@ ClockMap synchronise(const Recording& recording) {
     reason = "the two streams were never received at the same time";
   map.trusted = reason.empty();
   map.why = map.trusted
-                ? printed(
-                      "the arrivals place the two clocks within %.3f ms; the fixed part of a "
-                      "one-way latency, which they cannot show, may hide %.1f ms more.",
-                      1e3 * seen, 1e3 * latency.ci95_s)
+                ? evidence(module_main, module_ci_s, loadcell_main, loadcell_ci_s, seen_s, hidden)
                 : reason + ".";
   return map;
 }

@@ -8,8 +8,8 @@
 
 namespace searig::acquisition {
 
-/// Rows [first, last) of a stream between two restarts of its device:
-/// module time = rate * device time + offset_s.
+/// Rows [first, last) of a stream between two restarts of its device, or a piece of them where its
+/// clock runs unevenly: module time = rate * device time + offset_s.
 struct RunMap {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -34,11 +34,12 @@ struct ClockMap {
   double to_module(double loadcell_s) const { return rate * loadcell_s + offset_s; }
 };
 
-/// Maps the load cell's clock to the module's through the host's arrival stamps: each device's
-/// delay line (clock/host_clock.h), then one device through the host to the other.
+/// Maps the load cell's clock to the module's through the host's: each device's track
+/// (clock/device_track.h), then one device through the host to the other. Live and batch.
 ///
-/// The fixed part of a one-way latency cannot be seen. Undeclared, it is taken to lie between 0 and
-/// 4 ms in each stream, so that it may hide up to 4 ms either way; the interval includes it.
+/// The fixed part of a one-way latency shows in two-way pings (clock/ping_clock.h). In arrivals
+/// alone it does not: undeclared, it is taken to lie between 0 and 4 ms in a stream without pings,
+/// so that two of them may hide up to 4 ms either way; the interval includes it.
 /// A map that cannot be trusted is still given, with the reason. Two streams on one clock, or
 /// without host stamps in both, map onto each other as they are.
 ClockMap synchronise(const Recording& recording);

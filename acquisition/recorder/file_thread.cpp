@@ -69,7 +69,7 @@ void FileThread::write_all() {
     for (long chunk = 1; queue_.take_at(next += seconds(options_.chunk_s), entries); ++chunk) {
       for (const Entry& entry : entries) {
         write_entry(entry, out_);
-        if (const auto* row = std::get_if<SampleRow>(&entry)) rolling_.take(*row);
+        rolling_.take(entry);
       }
       if (chunk % clock_each == 0) estimate_clock();
       out_.file().end_chunk();

@@ -39,6 +39,7 @@ class Line {
   Report report() const;  ///< from any thread
 
   std::string name() const { return name_; }
+  unsigned baud() const { return source_->baud(); }
 
  private:
   void run();

@@ -38,6 +38,8 @@ Recorder::Recorder(RecorderOptions options, std::unique_ptr<Source> module,
   settings_.calibration = options_.calibration;
   settings_.module.source = module_.name();
   settings_.loadcell.source = loadcell_.name();
+  settings_.module.baud = module_.baud();
+  settings_.loadcell.baud = loadcell_.baud();
   std::vector<Entry> first{NewSettings{started_s_, settings_}};
   if (!options_.lever_arm_m)
     first.push_back(Event{started_s_, "loadcell", "lever arm",

@@ -13,7 +13,8 @@ class RollingClock {
  public:
   static constexpr double window_s = 60.0;  ///< on the host's clock; what is older is forgotten
 
-  void take(const SampleRow& row);
+  /// What bears on the clocks; the rest is nothing to it. So it can be given all entries.
+  void take(const Entry& entry);
 
   /// None while there is too little to say anything.
   std::optional<ClockMap> estimate() const;
@@ -24,10 +25,15 @@ class RollingClock {
   };
   struct Window {
     std::deque<Moment> moments;  ///< of one run; t_s rises
+    std::deque<Exchange> pings;  ///< of that run
     double run = -1.0;
+    double least_wire_s = 0.0;
+    void begin(double new_run);
     void take(const SampleRow& row);
+    void take(const PingRow& row);
     Stream stream(const char* name) const;
   };
+  Window& window(StreamId device) { return device == StreamId::module ? module_ : loadcell_; }
   Window module_, loadcell_;
 };
 

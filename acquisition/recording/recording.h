@@ -31,6 +31,15 @@ struct HostLatency {
   double ci95_s = 0.0;
 };
 
+/// The four times of a two-way exchange, s, and the run of the device that they belong to.
+struct Exchange {
+  double host_sent_s = 0.0;
+  double device_received_s = 0.0;
+  double device_sent_s = 0.0;
+  double host_received_s = 0.0;
+  std::size_t run = 0;
+};
+
 /// One stream. t_s increases strictly within each run between restarts.
 struct Stream {
   std::string name;                   ///< "module" or "loadcell"
@@ -44,6 +53,9 @@ struct Stream {
   /// The fixed part of the one-way latency from device to host, where recording.toml declares it
   /// (host_latency_s, host_latency_ci95_s). No arrival stamp can show it.
   std::optional<HostLatency> host_latency;
+
+  std::vector<Exchange> pings;  ///< in order of arrival; runs as `restarts` divides them
+  double least_wire_s = 0.0;    ///< what a ping, and as much a pong, is on the wire at the least
 
   /// The values of a channel, or an empty vector where the stream has no such channel.
   const std::vector<double>& channel(std::string_view name) const;
@@ -84,7 +96,8 @@ struct Recording {
   // What only a recording in one file (.mcap) has.
   std::string recorded;  ///< by which program, when and from which devices
   std::vector<Event> events;
-  std::string model_toml;  ///< the simulation that its owner believes in, or empty
+  std::string model_toml;   ///< the simulation that its owner believes in, or empty
+  std::string calibration;  ///< the load cell's, as calibration/ writes it, or empty
   std::string cut_off;     ///< one sentence where the file ends before its end, or empty
 };
 

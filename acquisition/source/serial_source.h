@@ -12,6 +12,7 @@ class SerialSource : public Source {
   SerialSource(std::string device, unsigned baud);
 
   std::string name() const override { return "serial:" + device_; }
+  unsigned baud() const override { return baud_; }
   int handle() const override { return port_.handle(); }
   double wake_s() const override;
   void read(std::vector<Arrival>& arrivals) override;

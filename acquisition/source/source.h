@@ -49,6 +49,9 @@ class Source {
   /// The name that it was opened by, for people and for the recording: "serial:/dev/ttyACM0".
   virtual std::string name() const = 0;
 
+  /// Of the line on which each byte takes its time; 0 where bytes come in pieces.
+  virtual unsigned baud() const { return 0; }
+
   /// To be polled for input, or -1 while there is none (unplugged).
   virtual int handle() const = 0;
 

@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "acquisition/clock/ping_clock.h"
 #include "acquisition/error.h"
 #include "acquisition/recording/mapped_file.h"
 #include "acquisition/recording/mcap/cdr.h"
@@ -16,17 +17,14 @@ class Collector : public Handler {
  public:
   std::optional<Settings> settings;
   std::vector<Event> events;
-  Rows module, loadcell, module_counters, loadcell_counters;
+  ReceivedRows module, loadcell;
 
   void channel(const Channel& channel, const Schema& schema) override {
     if (channel.encoding != "cdr" || schema.encoding != "ros2msg") return;
-    const std::string counters = counters_suffix;
     if (channel.topic == settings_topic) settings_channel_ = channel.id;
     if (channel.topic == events_topic) events_channel_ = channel.id;
-    if (channel.topic == module_topic) rows_of(channel, schema, module);
-    if (channel.topic == loadcell_topic) rows_of(channel, schema, loadcell);
-    if (channel.topic == module_topic + counters) rows_of(channel, schema, module_counters);
-    if (channel.topic == loadcell_topic + counters) rows_of(channel, schema, loadcell_counters);
+    rows_of(channel, schema, module_topic, module);
+    rows_of(channel, schema, loadcell_topic, loadcell);
   }
 
   void message(const Message& message) override {
@@ -40,6 +38,13 @@ class Collector : public Handler {
   }
 
  private:
+  void rows_of(const Channel& channel, const Schema& schema, const std::string& topic,
+               ReceivedRows& received) {
+    if (channel.topic == topic) rows_of(channel, schema, received.samples);
+    if (channel.topic == topic + counters_suffix) rows_of(channel, schema, received.counters);
+    if (channel.topic == topic + pings_suffix) rows_of(channel, schema, received.pings);
+  }
+
   void rows_of(const Channel& channel, const Schema& schema, Rows& rows) {
     rows.names = row_columns(schema.text);
     rows.columns.assign(rows.names.size(), {});
@@ -135,9 +140,9 @@ Recording recording_of(std::string_view bytes, const std::string& name) {
   recording.recorded = recorded_by(settings);
   recording.events = std::move(found.events);
   recording.cut_off = cut_off(ending, bytes.size());
-  recording.module = stream_of("module", found.module, found.module_counters, settings.module);
-  recording.loadcell =
-      stream_of("loadcell", found.loadcell, found.loadcell_counters, settings.loadcell);
+  recording.module = stream_of("module", found.module, settings.module);
+  recording.loadcell = stream_of("loadcell", found.loadcell, settings.loadcell);
+  recording.loadcell.least_wire_s = least_ping_wire_s(settings.loadcell.baud);
   refuse_unusable(recording, name);
   return recording;
 }

@@ -14,6 +14,7 @@ namespace {
 struct Order {
   std::vector<std::size_t> rows;
   std::vector<std::size_t> restarts;
+  std::vector<double> runs;  ///< the numbers of the runs that have rows
   std::size_t doubled = 0;
 };
 
@@ -35,6 +36,7 @@ Order order_of(const Rows& rows) {
       continue;
     }
     if (restart) order.restarts.push_back(order.rows.size());
+    if (first || restart) order.runs.push_back(run_of(row));
     order.rows.push_back(row);
   }
   return order;
@@ -50,6 +52,22 @@ std::vector<double> picked(const std::vector<double>& values,
 std::size_t last_of(const Rows& counters, std::string_view name) {
   const std::vector<double>* column = counters.find(name);
   return column && !column->empty() ? static_cast<std::size_t>(std::max(0.0, column->back())) : 0;
+}
+
+/// The pings of those runs; in a file of another program there may be none, or others.
+std::vector<Exchange> exchanges_of(const Rows& pings, const std::vector<double>& runs) {
+  std::vector<Exchange> exchanges;
+  const auto *host_s = pings.find("host_s"), *host_sent_s = pings.find("host_sent_s"),
+             *received_s = pings.find("device_received_s"), *sent_s = pings.find("device_s"),
+             *run = pings.find("run");
+  if (!host_s || !host_sent_s || !received_s || !sent_s || !run) return exchanges;
+  for (std::size_t row = 0; row < pings.size(); ++row) {
+    const auto place = std::find(runs.begin(), runs.end(), (*run)[row]);
+    if (place == runs.end()) continue;
+    exchanges.push_back({(*host_sent_s)[row], (*received_s)[row], (*sent_s)[row], (*host_s)[row],
+                         std::size_t(place - runs.begin())});
+  }
+  return exchanges;
 }
 
 bool is_channel(const std::string& name) {
@@ -75,8 +93,10 @@ const std::vector<double>* Rows::find(std::string_view name) const {
   return at == names.end() ? nullptr : &columns[std::size_t(at - names.begin())];
 }
 
-Stream stream_of(const std::string& name, const Rows& rows, const Rows& counters,
+Stream stream_of(const std::string& name, const ReceivedRows& received,
                  const StreamSettings& settings) {
+  const Rows& rows = received.samples;
+  const Rows& counters = received.counters;
   Stream stream;
   stream.name = name;
   stream.host_latency = settings.host_latency;
@@ -104,6 +124,7 @@ Stream stream_of(const std::string& name, const Rows& rows, const Rows& counters
     if (is_channel(rows.names[i]))
       stream.channels.push_back({rows.names[i], picked(rows.columns[i], order.rows)});
   stream.restarts = std::move(order.restarts);
+  stream.pings = exchanges_of(received.pings, order.runs);
   return stream;
 }
 

@@ -21,10 +21,15 @@ struct Rows {
   std::size_t size() const { return columns.empty() ? 0 : columns.front().size(); }
 };
 
+/// All that came from a device.
+struct ReceivedRows {
+  Rows samples, counters, pings;
+};
+
 /// The rows as a stream. Rows that were sorted before they were written stay as they are; of a
 /// recorded one they are put in order of `run` (the device's starts) and device time, as datagrams
 /// may overtake each other, and the last counters say what was lost on the way.
-Stream stream_of(const std::string& name, const Rows& rows, const Rows& counters,
+Stream stream_of(const std::string& name, const ReceivedRows& received,
                  const StreamSettings& settings);
 
 /// Throws InputError where a stream has no samples, or none that say anything.

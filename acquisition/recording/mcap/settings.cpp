@@ -12,6 +12,7 @@ using nlohmann::json;
 
 json stream_json(const StreamSettings& stream) {
   json out = {{"source", stream.source}, {"device", stream.device}};
+  if (stream.baud != 0) out["baud"] = stream.baud;
   if (stream.host_latency)
     out["host_latency"] = {{"latency_s", stream.host_latency->latency_s},
                            {"ci95_s", stream.host_latency->ci95_s}};
@@ -28,6 +29,7 @@ StreamSettings stream_settings(const json& in) {
   StreamSettings stream;
   stream.source = in.at("source");
   stream.device = in.at("device");
+  stream.baud = in.value("baud", 0u);
   if (in.contains("host_latency"))
     stream.host_latency = {in["host_latency"].at("latency_s"), in["host_latency"].at("ci95_s")};
   if (in.contains("sorted")) {

@@ -20,6 +20,7 @@ struct SortedRows {
 struct StreamSettings {
   std::string source;  ///< "serial:/dev/ttyACM0", or the file that it was imported from
   std::string device;  ///< what the device says of itself, or empty
+  unsigned baud = 0;   ///< of the line, or 0 where there is none
   std::optional<HostLatency> host_latency;
   std::optional<SortedRows> sorted;  ///< of an imported recording
 };
