@@ -5,6 +5,7 @@
 #include <cmath>
 #include <concepts>
 #include <stdexcept>
+#include <type_traits>
 
 namespace searig::estimator {
 
@@ -17,6 +18,7 @@ concept SigmaPointSet = requires(const S& set) {
   { set.points() } -> std::convertible_to<Eigen::Matrix<double, n, S::count>>;
   { set.mean_weights() } -> std::convertible_to<Eigen::Vector<double, S::count>>;
   { set.covariance_weights() } -> std::convertible_to<Eigen::Vector<double, S::count>>;
+  {std::bool_constant<S::is_zero(0, 0)>()};  // whether component (row, point) is always 0
 };
 
 /// The three free numbers of a spherical simplex.
@@ -57,6 +59,9 @@ class SphericalSimplex {
     place(options);
     weigh(options);
   }
+
+  /// The centre is at 0, and the point that dimension j brings has no part in the later ones.
+  static constexpr bool is_zero(int row, int point) { return point == 0 || point > row + 2; }
 
   const Points& points() const { return points_; }
   const Weights& mean_weights() const { return mean_weights_; }
