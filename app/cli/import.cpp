@@ -29,9 +29,6 @@ acquisition::Recording recording_with_model(const fs::path& path) {
   if (acquisition::mcap::is_mcap(path))
     throw acquisition::InputError(path.string() + ": is one file already; there is nothing to do.");
   acquisition::Recording recording = acquisition::read_recording(path);
-  if (!recording.devices.empty())
-    throw acquisition::InputError(path.string() + ": an .mcap file has no place for " +
-                                  recording.devices.front().stream.name + " yet; keep the folder.");
   const fs::path folder = fs::is_directory(path) ? path : path.parent_path();
   if (find_model(path, std::nullopt))
     recording.model_toml = acquisition::read_text_file(folder / "model.toml");

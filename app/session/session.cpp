@@ -68,6 +68,10 @@ Session open_session(const std::filesystem::path& recording) {
 Session session_of(acquisition::Recording recording) {
   Session session;
   session.recording = std::move(recording);
+  if (session.recording.loadcell.t_s.empty())
+    throw acquisition::InputError(session.recording.path.string() +
+                                  ": holds a module's log and no load cell; there is nothing to "
+                                  "hold the module against.");
   session.clock = acquisition::synchronise(session.recording);
   const Stream& module = session.recording.module;
   const Stream& loadcell = session.recording.loadcell;

@@ -11,8 +11,8 @@
 namespace searig::acquisition::mcap {
 
 /// Writes a recording whose rows are sorted and counted, so that it reads back as it is: the same
-/// numbers, counts, restarts. `originals` are attached byte for byte. `program` is "searig 0.1.0".
-/// Throws std::invalid_argument as write_recording() does.
+/// numbers, counts, restarts, further devices. `originals` are attached byte for byte. `program` is
+/// "searig 0.1.0". Throws std::invalid_argument as write_recording() does.
 void write_mcap(const Recording& recording, const std::vector<std::filesystem::path>& originals,
                 const std::string& program, const Writer::Sink& sink);
 

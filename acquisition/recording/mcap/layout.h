@@ -13,6 +13,7 @@ inline constexpr std::string_view format_name = "searig-mcap/1";
 inline constexpr const char* settings_topic = "/settings";  ///< once, the first message
 inline constexpr const char* module_topic = "/module";      ///< a message for each sample
 inline constexpr const char* loadcell_topic = "/loadcell";
+inline constexpr const char* device_topics = "/device.";  ///< "/device.encoder": a further device
 inline constexpr const char* raw_suffix = "/raw";            ///< "/module/raw": bytes as they came
 inline constexpr const char* counters_suffix = "/counters";  ///< "/module/counters": each second
 inline constexpr const char* pings_suffix = "/pings";        ///< "/module/pings": two-way exchanges

@@ -18,6 +18,7 @@ class Collector : public Handler {
   std::optional<Settings> settings;
   std::vector<Event> events;
   ReceivedRows module, loadcell;
+  std::map<std::string, Rows> devices;  ///< by topic
 
   void channel(const Channel& channel, const Schema& schema) override {
     if (channel.encoding != "cdr" || schema.encoding != "ros2msg") return;
@@ -25,6 +26,7 @@ class Collector : public Handler {
     if (channel.topic == events_topic) events_channel_ = channel.id;
     rows_of(channel, schema, module_topic, module);
     rows_of(channel, schema, loadcell_topic, loadcell);
+    if (channel.topic.starts_with(device_topics)) rows_of(channel, schema, devices[channel.topic]);
   }
 
   void message(const Message& message) override {
@@ -84,7 +86,7 @@ class SettingsCollector : public Handler {
 /// "Recorded 2026-11-22T01:05:03Z by searig 0.1.0 from sim: and sim:.", and how the load cell was
 /// calibrated: its first line says that in words, behind a #.
 std::string recorded_by(const Settings& settings) {
-  if (settings.started.empty()) return {};
+  if (!settings.recorded.empty() || settings.started.empty()) return settings.recorded;
   const auto source = [](const StreamSettings& stream) {
     std::string words = stream.source;
     if (!stream.device.empty()) words.append(" (").append(stream.device).append(")");
@@ -137,13 +139,19 @@ Recording recording_of(std::string_view bytes, const std::string& name) {
   recording.lever_arm_m = settings.lever_arm_m;
   recording.one_clock = settings.one_clock;
   recording.model_toml = settings.model_toml;
+  recording.calibration = settings.calibration;
   recording.recorded = recorded_by(settings);
   recording.events = std::move(found.events);
   recording.cut_off = cut_off(ending, bytes.size());
   recording.module = stream_of("module", found.module, settings.module);
   recording.loadcell = stream_of("loadcell", found.loadcell, settings.loadcell);
   recording.loadcell.least_wire_s = least_ping_wire_s(settings.loadcell.baud);
-  refuse_unusable(recording, name);
+  for (const DeviceSettings& device : settings.devices)
+    recording.devices.push_back(
+        {stream_of(device.name, {found.devices["/" + device.name], {}, {}}, device.stream),
+         device.aligned_by});
+  const auto& loadcell = settings.loadcell.sorted;
+  refuse_unusable(recording, loadcell && loadcell->counts.received == 0, name);
   return recording;
 }
 
@@ -153,6 +161,7 @@ Recording read_mcap(const std::filesystem::path& path) {
   recording.path = path;
   recording.name = path.stem().string();
   recording.module.file = recording.loadcell.file = path;
+  for (Device& device : recording.devices) device.stream.file = path;
   return recording;
 }
 

@@ -43,6 +43,11 @@ void RecordingWriter::sample(StreamId device, double host_s, std::span<const dou
   if (channel != 0) row(channel, host_s, values);
 }
 
+std::uint16_t RecordingWriter::add_device(const std::string& name,
+                                          const std::vector<std::string>& columns) {
+  return file_.add_channel("/" + name, "searig/DeviceSample", row_definition(columns));
+}
+
 void RecordingWriter::raw(StreamId device, double host_s, std::string_view bytes) {
   std::uint16_t& channel = raw_[std::size_t(device)];
   if (channel == 0)

@@ -29,6 +29,11 @@ class RecordingWriter {
   void set_columns(StreamId device, const std::vector<std::string>& columns);
   void sample(StreamId device, double host_s, std::span<const double> row);
 
+  /// A further device's samples; row() takes them by the channel that this gives.
+  std::uint16_t add_device(const std::string& name, const std::vector<std::string>& columns);
+  std::uint16_t channel_of(StreamId device) const { return samples_[std::size_t(device)]; }
+  void row(std::uint16_t channel, double host_s, std::span<const double> values);
+
   void raw(StreamId device, double host_s, std::string_view bytes);
   void counters(StreamId device, const std::vector<std::string>& names,
                 std::span<const double> row);
@@ -39,8 +44,6 @@ class RecordingWriter {
   Writer& file() { return file_; }
 
  private:
-  void row(std::uint16_t channel, double host_s, std::span<const double> values);
-
   Writer file_;
   double epoch_s_;
   std::uint16_t settings_ = 0, events_ = 0, clock_ = 0;  // channels; 0 until they are needed

@@ -128,12 +128,12 @@ Stream stream_of(const std::string& name, const ReceivedRows& received,
   return stream;
 }
 
-void refuse_unusable(const Recording& recording, const std::string& file) {
+void refuse_unusable(const Recording& recording, bool module_alone, const std::string& file) {
   for (const Stream* stream : {&recording.module, &recording.loadcell})
-    if (stream->t_s.empty())
+    if (stream->t_s.empty() && !(module_alone && stream == &recording.loadcell))
       throw InputError(file + ": holds no samples of the " +
                        (stream == &recording.module ? "module." : "load cell."));
-  if (recording.loadcell.channel("force_n").empty() &&
+  if (!recording.loadcell.t_s.empty() && recording.loadcell.channel("force_n").empty() &&
       recording.loadcell.channel("torque_nm").empty())
     throw InputError(file + ": the load cell was not calibrated, so its counts are no force; " +
                      "searig calibrate makes a calibration to record with.");

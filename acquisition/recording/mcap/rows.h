@@ -32,7 +32,8 @@ struct ReceivedRows {
 Stream stream_of(const std::string& name, const ReceivedRows& received,
                  const StreamSettings& settings);
 
-/// Throws InputError where a stream has no samples, or none that say anything.
-void refuse_unusable(const Recording& recording, const std::string& file);
+/// Throws InputError where a stream has no samples, or none that say anything. What was imported
+/// without a load cell (a module's own log) has none.
+void refuse_unusable(const Recording& recording, bool module_alone, const std::string& file);
 
 }  // namespace searig::acquisition::mcap

@@ -1,6 +1,9 @@
 #include "acquisition/recording/mcap/settings.h"
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "acquisition/error.h"
 #include "acquisition/recording/mcap/layout.h"
@@ -41,19 +44,46 @@ StreamSettings stream_settings(const json& in) {
   return stream;
 }
 
+constexpr std::array<std::pair<AlignedBy, const char*>, 3> alignments{
+    {{AlignedBy::host, "host"}, {AlignedBy::clock, "clock"}, {AlignedBy::velocity, "velocity"}}};
+
+json device_json(const DeviceSettings& device) {
+  json out = stream_json(device.stream);
+  out["name"] = device.name;
+  out["aligned_by"] = name_of(device.aligned_by);
+  return out;
+}
+
+DeviceSettings device_settings(const json& in) {
+  return {in.at("name"), aligned_by(in.at("aligned_by").get<std::string>()), stream_settings(in)};
+}
+
 }  // namespace
 
+const char* name_of(AlignedBy how) {
+  return std::ranges::find(alignments, how, &decltype(alignments)::value_type::first)->second;
+}
+
+AlignedBy aligned_by(std::string_view name) {
+  for (const auto& [how, its_name] : alignments)
+    if (name == its_name) return how;
+  throw InputError("aligns a device by '" + std::string(name) + "', which is not known.");
+}
+
 std::string to_json(const Settings& settings) {
-  const json out = {{"format", format_name},
-                    {"program", settings.program},
-                    {"started", settings.started},
-                    {"gear_ratio", settings.gear_ratio},
-                    {"lever_arm_m", settings.lever_arm_m},
-                    {"one_clock", settings.one_clock},
-                    {"module", stream_json(settings.module)},
-                    {"loadcell", stream_json(settings.loadcell)},
-                    {"model_toml", settings.model_toml},
-                    {"calibration", settings.calibration}};
+  json out = {{"format", format_name},
+              {"program", settings.program},
+              {"started", settings.started},
+              {"gear_ratio", settings.gear_ratio},
+              {"lever_arm_m", settings.lever_arm_m},
+              {"one_clock", settings.one_clock},
+              {"module", stream_json(settings.module)},
+              {"loadcell", stream_json(settings.loadcell)},
+              {"model_toml", settings.model_toml},
+              {"calibration", settings.calibration}};
+  for (const DeviceSettings& device : settings.devices)
+    out["devices"].push_back(device_json(device));
+  if (!settings.recorded.empty()) out["recorded"] = settings.recorded;
   // A file name may hold any bytes; one that is not UTF-8 must not keep a recording from starting.
   return out.dump(-1, ' ', false, json::error_handler_t::replace);
 }
@@ -74,6 +104,9 @@ Settings settings_from_json(std::string_view text) {
     settings.loadcell = stream_settings(in.at("loadcell"));
     settings.model_toml = in.at("model_toml");
     settings.calibration = in.at("calibration");
+    for (const json& device : in.value("devices", json::array()))
+      settings.devices.push_back(device_settings(device));
+    settings.recorded = in.value("recorded", "");
     return settings;
   } catch (const json::exception& error) {
     throw InputError(std::string("holds settings that cannot be read: ") + error.what() + ".");

@@ -25,6 +25,13 @@ struct StreamSettings {
   std::optional<SortedRows> sorted;  ///< of an imported recording
 };
 
+/// A further device: which one, and how it is brought to the module's clock.
+struct DeviceSettings {
+  std::string name;  ///< "device.encoder"; its topic is "/device.encoder"
+  AlignedBy aligned_by = AlignedBy::host;
+  StreamSettings stream;
+};
+
 struct Settings {
   std::string program;  ///< who wrote it: "searig 0.1.0"
   std::string started;  ///< "2026-11-22T01:05:03Z", or empty where it is not known
@@ -32,9 +39,15 @@ struct Settings {
   double lever_arm_m = 1.0;
   bool one_clock = false;
   StreamSettings module, loadcell;
+  std::vector<DeviceSettings> devices;
   std::string model_toml;
   std::string calibration;  ///< the load cell's, as calibration/ writes it, or empty
+  std::string recorded;     ///< of an imported recording: what was said of how it came to be
 };
+
+/// "host", "clock" or "velocity", and back; InputError as below where it is none of them.
+const char* name_of(AlignedBy how);
+AlignedBy aligned_by(std::string_view name);
 
 std::string to_json(const Settings& settings);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "acquisition/clock/synchronise.h"
 #include "acquisition/recording/mcap/read_mcap.h"
 #include "acquisition/recording/write_recording.h"
 #include "tests/acquisition/clock/simulated_device.h"
@@ -82,6 +83,41 @@ TEST(Import, KeepsRestartsOneClockAndTimesBelowZero) {
   expect_same(recording.loadcell, read.loadcell);
   EXPECT_TRUE(read.one_clock);
   EXPECT_EQ(read.model_toml, recording.model_toml);
+}
+
+TEST(Import, KeepsFurtherDevicesAndHowTheyAreAligned) {
+  std::mt19937_64 random(2);
+  Recording recording = a_recording();
+  for (const AlignedBy how : {AlignedBy::host, AlignedBy::clock, AlignedBy::velocity}) {
+    SimulatedDevice device;
+    device.hz = 30.0;
+    device.offset_s = 1e4;
+    Device further{device.run(random, "device.encoder"), how};
+    further.stream.name += std::to_string(int(how));
+    further.stream.channels = {{"motor_angle_rad", further.stream.t_s}};
+    if (how == AlignedBy::velocity) further.stream.host_s.clear();
+    recording.devices.push_back(std::move(further));
+  }
+  recording.calibration = "# a line\ngain = 1.0\n";
+  recording.recorded = "Recorded by hand.";
+  const Recording read = recording_of(mcap_of(recording), "file");
+  ASSERT_EQ(read.devices.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(read.devices[i].stream.name, recording.devices[i].stream.name);
+    EXPECT_EQ(read.devices[i].aligned_by, recording.devices[i].aligned_by);
+    expect_same(recording.devices[i].stream, read.devices[i].stream);
+  }
+  EXPECT_EQ(read.calibration, recording.calibration);
+  EXPECT_EQ(read.recorded, recording.recorded);
+}
+
+TEST(Import, AModulesOwnLogNeedsNoLoadCell) {
+  Recording recording = a_recording();
+  recording.loadcell = {};
+  const Recording read = recording_of(mcap_of(recording), "file");
+  expect_same(recording.module, read.module);
+  EXPECT_TRUE(read.loadcell.t_s.empty());
+  EXPECT_EQ(synchronise(read).why, "there is no load cell.");
 }
 
 TEST(Import, KeepsTheOriginalsByteForByte) {
