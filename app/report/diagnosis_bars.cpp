@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/report/axis.h"
-#include "app/report/canvas.h"
+#include "app/report/svg_canvas.h"
 
 namespace searig::app {
 namespace {
@@ -42,11 +42,11 @@ void draw_interval(Canvas& canvas, const Known& p, double y, double left, double
   canvas.line(left, y, right, y, "grid");
   canvas.rectangle(from, y - 5, std::max(1.5, to - from), 10, "blue", 0.35);
   canvas.dots({{to_x(0), y}, {to_x(0), y}}, "blue");
-  canvas.line(to_x(0), y - 5, to_x(0), y + 5, "blue", "stroke-width=\"2\"");
+  canvas.line(to_x(0), y - 5, to_x(0), y + 5, "blue", Stroke::thick);
   if (!p.given) return;
   const double off = percent_off(*p.given, p), x = to_x(off);
-  canvas.line(x - 4, y - 4, x + 4, y + 4, "vermilion", "stroke-width=\"2\"");
-  canvas.line(x - 4, y + 4, x + 4, y - 4, "vermilion", "stroke-width=\"2\"");
+  canvas.line(x - 4, y - 4, x + 4, y + 4, "vermilion", Stroke::thick);
+  canvas.line(x - 4, y + 4, x + 4, y - 4, "vermilion", Stroke::thick);
   if (std::abs(off) > half) {
     const bool high = off > 0;
     canvas.text(high ? x - 9 : x + 9, y + 4, number(off, 0) + " %",
@@ -56,12 +56,12 @@ void draw_interval(Canvas& canvas, const Known& p, double y, double left, double
 
 void draw_legend(Canvas& canvas, double y, bool given) {
   canvas.rectangle(margin_px, y - 9, 20, 10, "blue", 0.35);
-  canvas.line(margin_px + 10, y - 9, margin_px + 10, y + 1, "blue", "stroke-width=\"2\"");
+  canvas.line(margin_px + 10, y - 9, margin_px + 10, y + 1, "blue", Stroke::thick);
   canvas.text(margin_px + 26, y, "measured, with its 95 % interval");
   if (!given) return;
   const double x = margin_px + 26 + text_width("measured, with its 95 % interval") + 24;
-  canvas.line(x - 4, y - 8, x + 4, y, "vermilion", "stroke-width=\"2\"");
-  canvas.line(x - 4, y, x + 4, y - 8, "vermilion", "stroke-width=\"2\"");
+  canvas.line(x - 4, y - 8, x + 4, y, "vermilion", Stroke::thick);
+  canvas.line(x - 4, y, x + 4, y - 8, "vermilion", Stroke::thick);
   canvas.text(x + 12, y, "as the model had it");
 }
 
@@ -71,7 +71,7 @@ std::string probability_bars(const std::string& title, const std::vector<Bar>& b
   std::vector<std::string> names;
   for (const Bar& bar : bars) names.push_back(bar.name);
   const double left = margin_px + widest(names) + 12.0, right = width - margin_px - 60.0;
-  Canvas canvas({width, static_cast<int>(top_px + row_px * double(bars.size()))}, title);
+  SvgCanvas canvas({width, static_cast<int>(top_px + row_px * double(bars.size()))}, title);
   canvas.text(margin_px, margin_px + 10, title, Anchor::start, "t");
   for (std::size_t i = 0; i < bars.size(); ++i) {
     const double y = top_px + row_px * double(i);
@@ -100,7 +100,7 @@ std::string interval_plot(const std::string& title, const std::vector<Known>& pa
   if (shown.empty()) return "";
   const double left = margin_px + widest(names) + 14.0, right = width - margin_px - 24.0;
   const double top = top_px + 18.0, bottom = top + row_px * double(shown.size());
-  Canvas canvas({width, static_cast<int>(bottom + 48.0)}, title);
+  SvgCanvas canvas({width, static_cast<int>(bottom + 48.0)}, title);
   canvas.text(margin_px, margin_px + 10, title, Anchor::start, "t");
   draw_legend(canvas, margin_px + 32, given);
   const double half = half_range(shown);

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "app/report/axis.h"
-#include "app/report/canvas.h"
 #include "app/report/quantity.h"
+#include "app/report/svg_canvas.h"
 
 namespace searig::app {
 namespace {
@@ -114,7 +114,7 @@ std::string mismatch_map(const std::vector<Cell>& cells, const std::string& resi
   if (rows.empty()) return "";
   const double row_px = strip_px * (both ? 2.0 : 1.0) + axis_px, rows_top = margin_px + 30.0;
   const double key_top = rows_top + row_px * double(rows.size());
-  Canvas canvas({width, static_cast<int>(key_top + 34.0)}, title);
+  SvgCanvas canvas({width, static_cast<int>(key_top + 34.0)}, title);
   canvas.text(margin_px, margin_px + 10, title, Anchor::start, "t");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     draw_row(canvas, rows[i], both, rows_top + row_px * double(i), width);

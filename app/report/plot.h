@@ -64,6 +64,12 @@ struct Plot {
   std::optional<Range> y_range = {};
 };
 
+/// Of a picture, in pixels.
+struct Size {
+  int width = 900;
+  int height = 320;
+};
+
 /// A one-dimensional map: cells of a channel, each coloured by a signed number such as a
 /// standardised residual. Grey is nothing, blue is below, vermilion is above.
 struct CellMap {

@@ -8,11 +8,6 @@
 
 namespace searig::app {
 
-struct Size {
-  int width = 900;
-  int height = 320;
-};
-
 std::string to_svg(const Plot& plot, Size size = {});
 std::string to_svg(const CellMap& map, int width = 900);
 

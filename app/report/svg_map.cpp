@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "app/report/axis.h"
-#include "app/report/canvas.h"
+#include "app/report/svg.h"
+#include "app/report/svg_canvas.h"
 
 namespace searig::app {
 namespace {
@@ -70,7 +71,7 @@ std::string to_svg(const CellMap& map, int width) {
   for (const auto& row : map.rows) left = std::max(left, text_width(row.channel) + 24.0);
   const double rows_top = margin_px + 30.0;
   const double key_top = rows_top + row_px * static_cast<double>(map.rows.size());
-  Canvas canvas({width, static_cast<int>(key_top + 36.0)}, map.title);
+  SvgCanvas canvas({width, static_cast<int>(key_top + 36.0)}, map.title);
   canvas.text(margin_px, margin_px + 10, map.title, Anchor::start, "t");
   for (std::size_t i = 0; i < map.rows.size(); ++i) {
     draw_row(canvas, map.rows[i], map.full_scale, left, rows_top + row_px * static_cast<double>(i),

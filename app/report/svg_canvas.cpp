@@ -1,7 +1,9 @@
-#include "app/report/canvas.h"
+#include "app/report/svg_canvas.h"
 
 #include <cmath>
 #include <cstdio>
+
+#include "app/report/svg.h"
 
 namespace searig::app {
 namespace {
@@ -54,13 +56,7 @@ std::string style_sheet() {
 
 }  // namespace
 
-double text_width(std::string_view words, double font_px) {
-  std::size_t characters = 0;  // UTF-8: continuation bytes are no characters of their own
-  for (const char c : words) characters += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  return 0.6 * font_px * static_cast<double>(characters);
-}
-
-Canvas::Canvas(Size size, std::string_view title) {
+SvgCanvas::SvgCanvas(Size size, std::string_view title) {
   const std::string width = std::to_string(size.width), height = std::to_string(size.height);
   out_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"searig\" role=\"img\" viewBox=\"0 0 " +
          width + " " + height + "\" width=\"" + width + "\" height=\"" + height + "\">\n<title>" +
@@ -68,14 +64,17 @@ Canvas::Canvas(Size size, std::string_view title) {
   rectangle(0, 0, size.width, size.height, "ground");
 }
 
-void Canvas::line(double x1, double y1, double x2, double y2, std::string_view paint,
-                  std::string_view extra) {
+void SvgCanvas::line(double x1, double y1, double x2, double y2, std::string_view paint,
+                     Stroke stroke) {
+  static constexpr const char* strokes[] = {"", "stroke-width=\"2\"", "stroke-dasharray=\"6 4\"",
+                                            "stroke-dasharray=\"2 3\""};
   out_ += "<line" + attribute("x1", x1) + attribute("y1", y1) + attribute("x2", x2) +
-          attribute("y2", y2) + colour("stroke", paint) + " " + std::string(extra) + "/>\n";
+          attribute("y2", y2) + colour("stroke", paint) + " " + strokes[static_cast<int>(stroke)] +
+          "/>\n";
 }
 
-void Canvas::rectangle(double x, double y, double width, double height, std::string_view paint,
-                       double opacity) {
+void SvgCanvas::rectangle(double x, double y, double width, double height, std::string_view paint,
+                          double opacity) {
   char alpha[32];
   std::snprintf(alpha, sizeof alpha, " fill-opacity=\"%.3f\"", opacity);
   out_ += "<rect" + attribute("x", x) + attribute("y", y) + attribute("width", width) +
@@ -83,43 +82,43 @@ void Canvas::rectangle(double x, double y, double width, double height, std::str
           "/>\n";
 }
 
-void Canvas::polyline(const Points& points, std::string_view paint) {
+void SvgCanvas::polyline(const Points& points, std::string_view paint) {
   if (points.size() < 2) return dots(points, paint);
   out_ += "<polyline fill=\"none\" stroke-width=\"1.4\" stroke-linejoin=\"round\"" +
           colour("stroke", paint) + " points=\"" + join(points) + "\"/>\n";
 }
 
-void Canvas::polygon(const Points& points, std::string_view paint, double opacity) {
+void SvgCanvas::polygon(const Points& points, std::string_view paint, double opacity) {
   if (points.size() < 3) return;
   char alpha[48];
   std::snprintf(alpha, sizeof alpha, " fill-opacity=\"%.2f\"", opacity);
   out_ += "<polygon" + colour("fill", paint) + alpha + " points=\"" + join(points) + "\"/>\n";
 }
 
-void Canvas::dots(const Points& points, std::string_view paint) {
+void SvgCanvas::dots(const Points& points, std::string_view paint) {
   if (points.empty()) return;
   out_ += "<path stroke-width=\"3\" stroke-linecap=\"round\"" + colour("stroke", paint) + " d=\"";
   for (const auto& [x, y] : points) out_ += 'M' + px(x) + " " + px(y) + "h0";
   out_ += "\"/>\n";
 }
 
-void Canvas::text(double x, double y, std::string_view words, Anchor anchor,
-                  std::string_view css_class) {
+void SvgCanvas::text(double x, double y, std::string_view words, Anchor anchor,
+                     std::string_view kind) {
   static constexpr const char* names[] = {"start", "middle", "end"};
   out_ += "<text" + attribute("x", x) + attribute("y", y);
   if (anchor != Anchor::start) {
     out_ += std::string(" text-anchor=\"") + names[static_cast<int>(anchor)] + "\"";
   }
-  if (!css_class.empty()) out_ += " class=\"" + std::string(css_class) + "\"";
+  if (!kind.empty()) out_ += " class=\"" + std::string(kind) + "\"";
   out_ += '>' + escape(words) + "</text>\n";
 }
 
-void Canvas::text_upwards(double x, double y, std::string_view words) {
+void SvgCanvas::text_upwards(double x, double y, std::string_view words) {
   out_ += "<text text-anchor=\"middle\" transform=\"translate(" + px(x) + " " + px(y) +
           ") rotate(-90)\">" + escape(words) + "</text>\n";
 }
 
-void Canvas::begin_clip(double x, double y, double width, double height) {
+void SvgCanvas::begin_clip(double x, double y, double width, double height) {
   // Ids are global in a page: one made of what it says never means two things.
   const std::string id = 'c' + px(x) + "_" + px(y) + "_" + px(width) + "_" + px(height);
   out_ += "<clipPath id=\"" + id + "\"><rect" + attribute("x", x) + attribute("y", y) +
@@ -127,7 +126,11 @@ void Canvas::begin_clip(double x, double y, double width, double height) {
           "/></clipPath>\n<g clip-path=\"url(#" + id + ")\">\n";
 }
 
-std::string Canvas::finish() && {
+void SvgCanvas::end_clip() {
+  out_ += "</g>\n";
+}
+
+std::string SvgCanvas::finish() && {
   return std::move(out_) + "</svg>\n";
 }
 
