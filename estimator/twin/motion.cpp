@@ -17,8 +17,8 @@ double soft_start(double t_s) {
 
 }  // namespace
 
-SmoothMotion::SmoothMotion(double amplitude, double low_hz, double high_hz, int count,
-                           std::uint64_t seed) {
+SmoothMotion::SmoothMotion(const SineBand& band, std::uint64_t seed) {
+  const auto& [amplitude, low_hz, high_hz, count] = band;
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int i = 0; i < count; ++i) {
@@ -35,15 +35,17 @@ double SmoothMotion::at(double t_s) const {
   return soft_start(t_s) * sum;
 }
 
-MotionProgram::MotionProgram(std::uint64_t seed)
-    : module_(0.9, 0.05, 0.45, 4, seed), pull_(0.55, 0.12, 1.1, 5, seed + 1) {}
+MotionProgram::MotionProgram(const MotionParameters& parameters, std::uint64_t seed)
+    : module_(parameters.module, seed),
+      pull_(parameters.hand, seed + 1),
+      hand_goes_along_(parameters.hand_goes_along) {}
 
 double MotionProgram::commanded_angle_rad(double t_s) const {
   return module_.at(t_s);
 }
 
 double MotionProgram::hand_angle_rad(double t_s) const {
-  return module_.at(t_s) + pull_.at(t_s);
+  return hand_goes_along_ * module_.at(t_s) + pull_.at(t_s);
 }
 
 }  // namespace searig::estimator::twin

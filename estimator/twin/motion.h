@@ -4,15 +4,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "estimator/twin/parameters.h"
+
 namespace searig::estimator::twin {
 
 /// A sum of sines that starts at rest: smooth, never repeating within a recording, and known at any
 /// time without stepping.
 class SmoothMotion {
  public:
-  /// `count` sines with frequencies spread over [low_hz, high_hz]; their amplitudes add up to
-  /// `amplitude`. Phases and the exact frequencies follow from the seed.
-  SmoothMotion(double amplitude, double low_hz, double high_hz, int count, std::uint64_t seed);
+  /// Phases and the exact frequencies within the band follow from the seed.
+  SmoothMotion(const SineBand& band, std::uint64_t seed);
 
   double at(double t_s) const;
 
@@ -23,11 +24,10 @@ class SmoothMotion {
   std::vector<Sine> sines_;
 };
 
-/// The paper's experiment: the module follows a motion while a hand at the lever goes along with it
-/// and pulls against it.
+/// The paper's experiment: the module follows a motion while a hand at the lever pulls against it.
 class MotionProgram {
  public:
-  explicit MotionProgram(std::uint64_t seed);
+  MotionProgram(const MotionParameters& parameters, std::uint64_t seed);
 
   double commanded_angle_rad(double t_s) const;
   /// The angle to which the hand wants the lever.
@@ -36,6 +36,7 @@ class MotionProgram {
  private:
   SmoothMotion module_;
   SmoothMotion pull_;
+  double hand_goes_along_;
 };
 
 }  // namespace searig::estimator::twin

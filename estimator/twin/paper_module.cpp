@@ -114,6 +114,9 @@ Parameters nominal_paper_module() {
   module.drive.stribeck_nm = 0.2;
   module.drive.stribeck_velocity_rad_s = 0.05;
   module.drive.load_friction_share = 0.12;
+  module.lever.hand_stiffness_nm_per_rad = 9.0;
+  module.motion.hand = {0.5, 0.03, 0.15, 3};
+  module.motion.hand_goes_along = 0.0;  // it holds against the module; see motion_facts()
   return module;
 }
 

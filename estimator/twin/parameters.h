@@ -70,7 +70,22 @@ struct SensorParameters {
   double force_step_n = 0.01;                                ///< chosen: what the sketch prints
 };
 
+/// Sines with frequencies spread over a band, whose amplitudes add up.
+struct SineBand {
+  double amplitude_rad;
+  double low_hz, high_hz;
+  int count;
+};
+
+/// What the module is told to do, and to which angle the hand wants the lever.
+struct MotionParameters {
+  SineBand module = {0.9, 0.05, 0.45, 4};  ///< chosen; within the paper's +-90 degrees
+  SineBand hand = {0.55, 0.12, 1.1, 5};    ///< chosen
+  double hand_goes_along = 1.0;            ///< share of the module's motion that it follows; chosen
+};
+
 struct Parameters {
+  MotionParameters motion;
   SpringParameters spring;
   DriveParameters drive;
   ControllerParameters controller;

@@ -14,7 +14,7 @@ constexpr int steps_per_control = 10;  // of 0.1 ms: a twentieth of the lever's 
 
 Twin::Twin(const Parameters& parameters, std::uint64_t seed)
     : parameters_(parameters),
-      motion_(seed),
+      motion_(parameters.motion, seed),
       plant_(parameters),
       module_sensors_(parameters, seed + 100),
       loadcell_sensors_(parameters, seed + 200) {}
