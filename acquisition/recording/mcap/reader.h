@@ -23,7 +23,7 @@ class Handler {
 /// Where reading ended, and why there.
 enum class End {
   whole,    ///< at the end of a file that was finished
-  index,    ///< all data are whole; only the index behind them is damaged or half written
+  index,    ///< all data are whole; only the header before or the index behind them is not
   cut,      ///< the file stops: its recorder was killed, or it is still being written
   damaged,  ///< bytes are not what was written
   unfit     ///< no MCAP file, or one of a kind that is not read here
@@ -39,7 +39,8 @@ struct Ending {
 /// Every value handed on has passed a CRC-32, so that no single flipped bit and no cut can change
 /// one; a chunk is handed on whole or not at all. What lies outside the CRCs (lengths, opcodes, the
 /// times of a chunk) is checked against what lies inside; messages outside of chunks and compressed
-/// chunks are not read. The index at the end is not used.
+/// chunks are not read. The index at the end is not used; where the header is damaged, reading begins
+/// at the first chunk.
 Ending read(std::string_view bytes, Handler& handler);
 
 }  // namespace searig::acquisition::mcap

@@ -13,10 +13,12 @@ struct SmallFile {
   std::string bytes;
   std::vector<std::size_t> chunk_ends;  ///< bytes that a file with 1, 2, ... chunks has
   std::vector<std::size_t> module_rows, loadcell_rows;  ///< samples in so many chunks
+  std::size_t first_chunk = 0;                          ///< where it begins
   double started_s = 1000.0;
 
   explicit SmallFile(int chunks = 4, int module_rows_each = 10, bool finished = true) {
     RecordingWriter out([&](std::string_view piece) { bytes.append(piece); }, "searig test", 1.7e9);
+    first_chunk = bytes.size();
     Settings settings;
     settings.program = "searig test";
     settings.gear_ratio = 349.0;
