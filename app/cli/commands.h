@@ -17,6 +17,7 @@ void add_diagnose(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_effects(CLI::App& app);
 void add_demo(CLI::App& app);
+void add_reproduce(CLI::App& app);
 void add_desktop(CLI::App& app);
 
 }  // namespace searig::app

@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", SEARIG_VERSION);
   app.require_subcommand(1);
   add_demo(app);
+  add_reproduce(app);
   add_calibrate(app);
   add_record(app);
   add_info(app);

@@ -28,6 +28,9 @@ th:first-child,td:first-child,.words{text-align:left}
 td.words{vertical-align:top}
 figure{margin:1.4rem 0;break-inside:avoid}
 figure svg{max-width:100%;height:auto}
+.beside{display:grid;grid-template-columns:repeat(auto-fit,minmax(20rem,1fr));gap:1.5rem}
+.beside h3{font-size:.9rem;color:var(--soft);margin:.4rem 0 0}
+.beside p{margin:.2rem 0}
 figcaption{color:var(--soft);font-size:.9rem}
 pre{background:var(--tint);padding:.8rem 1rem;overflow-x:auto;font-size:.85rem;border-radius:6px}
 @media print{body{max-width:none;margin:0;font-size:11pt}h2{break-after:avoid}tr,dl div{break-inside:avoid}}
@@ -101,6 +104,17 @@ void HtmlReport::figure(const Plot& plot, std::string_view text, Size size) {
 void HtmlReport::figure(const CellMap& map, std::string_view text) {
   body_ += "<figure>\n" + to_svg(map);
   caption(text);
+}
+
+void HtmlReport::beside(std::string_view left_heading, std::string_view left,
+                        std::string_view right_heading, std::string_view right) {
+  body_ += "<div class=\"beside\">\n<div>" + element("h3", left_heading) + element("p", left) +
+           "</div>\n<div>" + element("h3", right_heading) + element("p", right) +
+           "</div>\n</div>\n";
+}
+
+void HtmlReport::picture(const Plot& plot, Size size) {
+  body_ += "<figure>\n" + to_svg(plot, size) + "</figure>\n";
 }
 
 void HtmlReport::figure_svg(std::string_view svg, std::string_view text) {

@@ -26,6 +26,11 @@ class HtmlReport {
              const std::vector<std::vector<std::string>>& rows, std::string_view caption = {});
   void figure(const Plot& plot, std::string_view caption, Size size = {});
   void figure(const CellMap& map, std::string_view caption);
+  /// Two texts with their headings, next to each other where the page is wide enough.
+  void beside(std::string_view left_heading, std::string_view left, std::string_view right_heading,
+              std::string_view right);
+  /// A plot without caption or number, for a page that numbers by itself.
+  void picture(const Plot& plot, Size size = {});
   /// A picture that is SVG already.
   void figure_svg(std::string_view svg, std::string_view caption);
   /// Lines as they are, such as a model file.
