@@ -25,20 +25,19 @@ struct LinearKalman {
   }
 };
 
-/// Recursive least squares: what minimises sum_i f^(t-i) w_i (T_i - phi_i'x)^2, f the forgetting
-/// factor per step (L. Ljung, System Identification, 1999, section 11.2). P is the covariance of x
-/// for a noise of variance 1: multiply it with the noise's own.
+/// Recursive least squares: what minimises sum_i w_i (T_i - phi_i'x)^2 (L. Ljung, System
+/// Identification, 1999, section 11.2). P is the covariance of x for a noise of variance 1.
 template <int n>
 struct RecursiveLeastSquares {
   Eigen::Vector<double, n> x;
   Eigen::Matrix<double, n, n> P;
 
-  void update(const Eigen::Vector<double, n>& phi, double T, double w, double forgetting = 1) {
+  void update(const Eigen::Vector<double, n>& phi, double T, double w) {
     const double e = T - phi.dot(x);
     const Eigen::Vector<double, n> Pphi = P * phi;
-    const Eigen::Vector<double, n> K = Pphi * (w / (forgetting + w * phi.dot(Pphi)));
+    const Eigen::Vector<double, n> K = Pphi * (w / (1 + w * phi.dot(Pphi)));
     x += K * e;
-    P = (P - K * Pphi.transpose()) / forgetting;
+    P -= K * Pphi.transpose();
   }
 };
 

@@ -51,18 +51,20 @@ class SizeTracker {
   SizeTracker(double half_width_s, std::size_t samples_per_step)
       : half_width_(half_width_s), samples_per_step_(samples_per_step) {}
 
-  void add(const FixedLag::Rated& rated) {
+  /// Whether the spring is seen to move at this sample.
+  bool add(const FixedLag::Rated& rated) {
     const double noise = rated.sample.deflection - rated.smooth;
     if (seen_++ == 0) first_t_ = rated.sample.t;
     last_t_ = rated.sample.t;
     noise2_ += noise * noise;
     const double sigma = std::sqrt(noise2_ / static_cast<double>(seen_));
     const bool moves = std::abs(rated.rate) * half_width_ > sigma;
-    if (!moves || std::abs(rated.smooth) < deflection_over_noise * sigma) return;
+    if (!moves || std::abs(rated.smooth) < deflection_over_noise * sigma) return moves;
     ++moving_;
     torque_ += std::abs(rated.sample.drive);
     deflection_ += std::abs(rated.smooth);
     rate_ += std::abs(rated.rate);
+    return moves;
   }
 
   /// Nothing until enough motion has been seen.

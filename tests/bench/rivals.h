@@ -84,7 +84,7 @@ struct Linear {
 template <int n>
 struct LeastSquares {
   estimator::RecursiveLeastSquares<n> filter{Vec<n>(start), 100 * Mat<n>::Identity()};
-  void step(const Sample& s) { filter.update(regressors<n>(s), s.T, s.w, 0.9999); }
+  void step(const Sample& s) { filter.update(regressors<n>(s), s.T, s.w); }
 };
 
 }  // namespace searig::bench

@@ -8,13 +8,14 @@
 
 #include "tests/estimator/filter/hand_made.h"
 
-namespace {
-bool counting = false;
-int allocations = 0;
-}  // namespace
+namespace searig::estimator {
+bool counting_allocations = false;  // of this whole test program
+int counted_allocations = 0;
+}  // namespace searig::estimator
 
 void* operator new(std::size_t size) {
-  if (counting) ++allocations;
+  using namespace searig::estimator;
+  if (counting_allocations) ++counted_allocations;
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
@@ -195,15 +196,15 @@ TEST(OnlineStiffness, NeverAllocatesAfterConstruction) {
   signals.make(20);
   OnlineStiffness online({.initial_k_nm_per_rad = 500, .samples_per_step = 3});
   Eigen::internal::set_is_malloc_allowed(false);
-  allocations = 0, counting = true;
+  counted_allocations = 0, counting_allocations = true;
   double k = 0;
   for (std::size_t i = 0; i < signals.t.size(); ++i) {
     online.push(signals.t[i], signals.theta[i], signals.drive[i]);
     while (const auto estimate = online.next()) k = estimate->k_nm_per_rad;
   }
-  counting = false;
+  counting_allocations = false;
   Eigen::internal::set_is_malloc_allowed(true);
-  EXPECT_EQ(allocations, 0);
+  EXPECT_EQ(counted_allocations, 0);
   EXPECT_NEAR(k, 50, 5);
 }
 
