@@ -39,6 +39,10 @@ std::uint64_t garbled(const WireCounters& counters) {
          counters.implausible;
 }
 
+std::string words_of(const Identity& identity) {
+  return identity.name + ", firmware " + std::to_string(identity.firmware_version);
+}
+
 DeviceStream::DeviceStream(StreamId device, Framing framing,
                            std::optional<CountsToForce> calibration)
     : device_(device), decoder_(framing), given_(calibration), calibration_(calibration) {}

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "acquisition/recorder/entry.h"
@@ -60,6 +61,9 @@ class DeviceStream {
   double wraps_ = 0.0;
   std::uint32_t run_ = 0;
 };
+
+/// Who it is, in a few words: "loadcell, firmware 1".
+std::string words_of(const Identity& identity);
 
 /// What is wrong with frames that were read but not taken.
 std::uint64_t garbled(const WireCounters& counters);

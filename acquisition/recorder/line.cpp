@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "acquisition/recorder/priority.h"
+#include "acquisition/source/decode.h"
 #include "acquisition/wire/encode.h"
 
 namespace searig::acquisition {
@@ -13,10 +14,6 @@ constexpr double tell_every_s = 1.0;
 constexpr double ping_every_s = 0.5;
 constexpr double doze_s = 0.05;  // at most so long without a look at `stop`
 
-Framing framing_of(const Source& source) {
-  return source.name().starts_with("udp:") ? Framing::datagrams : Framing::stream;
-}
-
 }  // namespace
 
 Line::Line(StreamId device, std::unique_ptr<Source> source,
@@ -24,7 +21,7 @@ Line::Line(StreamId device, std::unique_ptr<Source> source,
     : device_(device),
       source_(std::move(source)),
       name_(source_->name()),
-      stream_(device, framing_of(*source_), calibration),
+      stream_(device, framing_of(name_), calibration),
       file_(file) {}
 
 Line::~Line() {

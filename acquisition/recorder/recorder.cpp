@@ -83,8 +83,7 @@ void Recorder::watch(const std::atomic<bool>& stop,
 void Recorder::settle(double now_s) {
   const auto describe = [](const Line::Report& report, mcap::StreamSettings& settings) {
     if (!report.identity) return false;
-    const std::string words =
-        report.identity->name + ", firmware " + std::to_string(report.identity->firmware_version);
+    const std::string words = words_of(*report.identity);
     return std::exchange(settings.device, words) != words;
   };
   const Line::Report module = module_.report();

@@ -9,9 +9,14 @@
 
 namespace searig::acquisition {
 
+/// How frames come from a source of this name, simulated ("sim:udp:...") or not.
+inline Framing framing_of(std::string_view source_name) {
+  return source_name.find("udp:") != std::string_view::npos ? Framing::datagrams : Framing::stream;
+}
+
 /// The decoder for what comes from a source of this name.
 inline Decoder decoder_for(std::string_view source_name) {
-  return Decoder(source_name.starts_with("udp:") ? Framing::datagrams : Framing::stream);
+  return Decoder(framing_of(source_name));
 }
 
 /// Appends the messages that an arrival completes. Given the same arrivals in the same order, the

@@ -1,7 +1,9 @@
-// A device on a serial line that may be unplugged and come back.
+// A device on a line that may be unplugged and come back.
 #pragma once
 
-#include "acquisition/source/serial_port.h"
+#include <memory>
+
+#include "acquisition/source/port.h"
 #include "acquisition/source/source.h"
 
 namespace searig::acquisition {
@@ -9,24 +11,24 @@ namespace searig::acquisition {
 class SerialSource : public Source {
  public:
   /// Throws InputError where the port is in use or refuses; an absent one is waited for.
-  SerialSource(std::string device, unsigned baud);
+  SerialSource(std::unique_ptr<Port> port, std::string device, unsigned baud);
 
   std::string name() const override { return "serial:" + device_; }
   unsigned baud() const override { return baud_; }
-  int handle() const override { return port_.handle(); }
+  int handle() const override { return port_->handle(); }
   double wake_s() const override;
   void read(std::vector<Arrival>& arrivals) override;
   void send(std::span<const std::uint8_t> bytes) override;
   const SourceCounters& counters() const override { return counters_; }
 
  private:
-  SerialPort::Opened open();
+  Port::Opened open();
   void try_again(std::vector<Arrival>& arrivals);
   void lose(std::vector<Arrival>& arrivals, double host_s);
 
   std::string device_;
   unsigned baud_;
-  SerialPort port_;
+  std::unique_ptr<Port> port_;
   SourceCounters counters_;
   std::vector<Arrival> untold_;  ///< what happened in the constructor
   bool was_connected_ = false;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "acquisition/error.h"
+#include "acquisition/source/serial_port.h"
 #include "acquisition/source/serial_source.h"
 #include "acquisition/source/udp_source.h"
 
@@ -31,7 +32,7 @@ std::unique_ptr<Source> open_serial(std::string_view device, std::string_view wh
   unsigned baud = kUsualBaud;
   if (device.find('@') != std::string_view::npos) baud = number_behind(device, '@', whole);
   if (device.empty()) throw InputError("'" + std::string(whole) + "' names no device");
-  return std::make_unique<SerialSource>(std::string(device), baud);
+  return std::make_unique<SerialSource>(std::make_unique<SerialPort>(), std::string(device), baud);
 }
 
 std::unique_ptr<Source> open_udp(std::string_view address, std::string_view whole) {

@@ -8,14 +8,15 @@
 #include <memory>
 #include <stdexcept>
 
-#include "acquisition/recording/write_recording.h"
+#include "acquisition/error.h"
+#include "acquisition/recording/mcap/read_mcap.h"
 #include "app/cli/commands.h"
 #include "app/cli/demo_report.h"
 #include "app/cli/desktop_program.h"
 #include "app/cli/json_output.h"
 #include "app/report/diagnosis_report.h"
 #include "app/report/diagnosis_words.h"
-#include "app/rig/live_rig.h"
+#include "app/rig/stepped_rig.h"
 #include "app/session/session.h"
 
 namespace searig::app {
@@ -30,8 +31,8 @@ struct Options {
   bool headless = false;
 };
 
-/// Runs as fast as the machine allows, in the steps in which a live view would.
-void run_experiment(LiveRig& rig, double seconds, DemoResult& result) {
+/// Runs as fast as the machine allows.
+void run_experiment(SteppedRig& rig, double seconds, DemoResult& result) {
   constexpr double step_s = 0.02;
   const bool say = isatty(STDERR_FILENO) != 0;
   const auto steps = static_cast<long>(seconds / step_s);
@@ -39,23 +40,28 @@ void run_experiment(LiveRig& rig, double seconds, DemoResult& result) {
     const double now_s = static_cast<double>(i) * step_s;
     rig.run_until(now_s);
     result.truth_t_s.push_back(now_s);
-    result.truth_nm_per_rad.push_back(rig.rig().true_stiffness_nm_per_rad());
+    result.truth_nm_per_rad.push_back(rig.true_stiffness_nm_per_rad());
     if (say && i % 500 == 0)
       std::cerr << "\r  " << i / 50 << " of " << seconds << " s" << std::flush;
   }
   if (say && steps >= 500) std::cerr << '\r';
+  rig.finish();
 }
 
-/// The recording with the simulation that its owner believes in. Written before anything that could
-/// fail, so that the data are kept.
-fs::path keep(const LiveRig& rig, const fs::path& out) {
-  const fs::path folder = out / "recording";
-  acquisition::write_recording(rig.recording(), folder);
-  std::ofstream model(folder / "model.toml");
-  model << estimator::to_toml(rig.model());
-  if (!model.flush())
-    throw std::runtime_error("The model in " + folder.string() + " cannot be written.");
-  return folder;
+/// Where the recording goes. An earlier demo's makes room for it; anybody else's does not.
+fs::path place_for_recording(const fs::path& out) {
+  const fs::path file = out / "recording.mcap";
+  if (!fs::exists(file)) return file;
+  if (!acquisition::mcap::read_settings(file).loadcell.source.starts_with("sim:"))
+    throw acquisition::InputError(file.string() + ": is there already, and no demo has made it.");
+  fs::remove(file);
+  return file;
+}
+
+double clock_error_s(const Session& session, const acquisition::ClockMap& truth) {
+  const auto& loadcell_s = session.recording.loadcell.t_s;
+  const double middle_s = loadcell_s[loadcell_s.size() / 2];
+  return session.clock.to_module(middle_s) - truth.to_module(middle_s);
 }
 
 /// The paper's Table I starts from a good stiffness, its figures 9 to 11 from a poor one; its drive
@@ -102,13 +108,14 @@ void run(const Options& options) {
   fs::create_directories(options.out, error);
   if (error)
     throw std::runtime_error(options.out.string() + ": cannot be made: " + error.message() + ".");
-  say("Simulated rig: module at 500 Hz, load cell at 50 Hz, each on a clock of its own.");
-  LiveRig rig;
   DemoResult result;
+  result.recording = place_for_recording(options.out);
+  SteppedRig rig(result.recording, "searig " SEARIG_VERSION);
+  say("Simulated board running the firmware, load cell at 50 Hz, and a module at 500 Hz.");
   run_experiment(rig, options.seconds, result);
-  result.recording = keep(rig, options.out);
   say("Recording kept: " + result.recording.string());
   const Session session = open_session(result.recording);
+  result.clock_error_s = clock_error_s(session, rig.true_clock_map());
   evaluate_all(session, rig.model(), result);
   for (const auto& line : describe(session, result)) say(line);
 

@@ -68,6 +68,7 @@ nlohmann::json to_json(const Session& session, const DemoResult& result) {
            {{"rate", session.clock.rate},
             {"offset_s", session.clock.offset_s},
             {"ci95_s", session.clock.ci95_s},
+            {"error_s", result.clock_error_s},
             {"trusted", session.clock.trusted}}},
           {"models", models}};
 }

@@ -138,21 +138,18 @@ void write_stiffness(HtmlReport& report, const History& history, const DemoResul
       {900, 260});
 }
 
-void write_clocks(HtmlReport& report, const Session& session, const LiveRig& rig) {
-  const auto truth = rig.rig().true_clock_map();
+void write_clocks(HtmlReport& report, const Session& session, const SteppedRig& rig,
+                  const DemoResult& result) {
+  const auto truth = rig.true_clock_map();
   const auto& found = session.clock;
-  const auto& loadcell_s = session.recording.loadcell.t_s;
   report.heading("Clocks");
   report.paragraph("Verdict: " + std::string(found.trusted ? "trusted" : "not trusted") + ": " +
                    found.why);
-  if (loadcell_s.empty()) return;
-  const double middle_s = loadcell_s[loadcell_s.size() / 2];
-  const double off_s = found.to_module(middle_s) - truth.to_module(middle_s);
   report.table(
       {"load-cell clock to module clock", "found", "truth"},
       {{"rate of the load cell's clock against the module's (ppm)",
         number(1e6 * (1.0 / found.rate - 1.0), 2), number(1e6 * (1.0 / truth.rate - 1.0), 2)},
-       {"error of the mapped time at the middle (ms)", number(1e3 * off_s, 2), "0"},
+       {"error of the mapped time at the middle (ms)", number(1e3 * result.clock_error_s, 2), "0"},
        {"95 % interval (ms)", "±" + number(1e3 * found.ci95_s, 2), "–"}},
       "The truth is known because the rig is simulated.");
 }
@@ -170,7 +167,7 @@ void write_streams(HtmlReport& report, const Session& session) {
 
 }  // namespace
 
-HtmlReport demo_report(const Session& session, const LiveRig& rig, const DemoResult& result) {
+HtmlReport demo_report(const Session& session, const SteppedRig& rig, const DemoResult& result) {
   const History history = history_of(session.signals, result.poor_start);
   HtmlReport report("Calibration of a simulated series elastic actuator");
   report.paragraph(
@@ -194,7 +191,7 @@ HtmlReport demo_report(const Session& session, const LiveRig& rig, const DemoRes
                    "; without friction: " + result.bare_drive.drive_from + ".");
   write_torques(report, history, history_of(session.signals, result.bare_drive));
   write_stiffness(report, history, result);
-  write_clocks(report, session, rig);
+  write_clocks(report, session, rig, result);
   write_streams(report, session);
   report.heading("The model that was believed");
   report.code(estimator::to_toml(rig.model()));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/report/html.h"
-#include "app/rig/live_rig.h"
+#include "app/rig/stepped_rig.h"
 #include "app/session/session.h"
 #include "estimator/evaluation/evaluation.h"
 
@@ -22,10 +22,11 @@ struct DemoResult {
   estimator::Evaluation bare_drive;  ///< with the paper's equation (2) alone: no friction terms
   std::vector<double> truth_t_s;     ///< of the simulated spring
   std::vector<double> truth_nm_per_rad;
+  double clock_error_s = 0.0;  ///< of the load cell's place at the middle, as the rig knows it
 };
 
 std::vector<std::string> describe(const Session& session, const DemoResult& result);
 nlohmann::json to_json(const Session& session, const DemoResult& result);
-HtmlReport demo_report(const Session& session, const LiveRig& rig, const DemoResult& result);
+HtmlReport demo_report(const Session& session, const SteppedRig& rig, const DemoResult& result);
 
 }  // namespace searig::app

@@ -1,7 +1,6 @@
 // searig record: a load cell and a module into one file, until the time is over or Ctrl-C.
 #include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -9,11 +8,13 @@
 
 #include "acquisition/calibration/loadcell_calibration.h"
 #include "acquisition/recorder/recorder.h"
+#include "acquisition/recorder/wall_clock.h"
 #include "acquisition/recording/text_file.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "app/cli/progress_line.h"
-#include "app/rig/simulated_sources.h"
+#include "app/rig/simulated_devices.h"
+#include "estimator/twin/parameters.h"
 
 namespace searig::app {
 namespace {
@@ -44,43 +45,27 @@ void end_on_signals() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-std::string utc(double unix_s) {
-  const auto whole = static_cast<std::time_t>(unix_s);
-  std::tm parts{};
-  gmtime_r(&whole, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
-}
-
-double unix_now_s() {
-  timespec now{};
-  clock_gettime(CLOCK_REALTIME, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
 bool simulated(const std::string& name) {
   return name == "sim:";
 }
 
-/// One simulated rig gives both devices; a real device beside a simulated one is taken as it is.
+/// Simulated devices share one motion; a real device beside a simulated one is taken as it is.
 std::pair<std::unique_ptr<Source>, std::unique_ptr<Source>> open_sources(const Options& options) {
-  SimulatedSources rig;
-  if (simulated(options.module) || simulated(options.loadcell)) rig = simulated_sources();
-  return {
-      simulated(options.module) ? std::move(rig.module) : acquisition::open_source(options.module),
-      simulated(options.loadcell) ? std::move(rig.loadcell)
-                                  : acquisition::open_source(options.loadcell)};
+  const bool module = simulated(options.module), loadcell = simulated(options.loadcell);
+  SimulatedSources rig = simulated_sources(module, loadcell);
+  if (!module) rig.module = acquisition::open_source(options.module);
+  if (!loadcell) rig.loadcell = acquisition::open_source(options.loadcell);
+  return {std::move(rig.module), std::move(rig.loadcell)};
 }
 
 acquisition::RecorderOptions recorder_options(const Options& options) {
   acquisition::RecorderOptions out;
   out.file.path = options.out;
   out.file.program = "searig " SEARIG_VERSION;
-  out.file.epoch_s = unix_now_s() - acquisition::host_now_s();
+  out.file.epoch_s = acquisition::unix_now_s() - acquisition::host_now_s();
   out.file.least_free_bytes = static_cast<std::uint64_t>(1e9 * options.least_free_gb);
   out.seconds = options.seconds;
-  out.started = utc(unix_now_s());
+  out.started = acquisition::utc(acquisition::unix_now_s());
   out.lever_arm_m = options.lever_arm_m;
   if (options.calibration) {
     const std::string text = acquisition::read_text_file(*options.calibration);
@@ -90,7 +75,7 @@ acquisition::RecorderOptions recorder_options(const Options& options) {
     if (!out.lever_arm_m) out.lever_arm_m = calibration.lever_arm_m;
   }
   if (!out.lever_arm_m && simulated(options.loadcell))
-    out.lever_arm_m = RigSettings{}.parameters.lever.arm_m;
+    out.lever_arm_m = estimator::twin::LeverParameters{}.arm_m;
   return out;
 }
 

@@ -7,10 +7,6 @@
 
 namespace searig::app {
 
-/// What the owner of the simulated module believes: the data sheet's drive, which is right, and a
-/// stiffness that is ten times too high, as in the paper's figures 9 to 11.
-estimator::Model believed_model(const estimator::twin::Parameters& parameters);
-
 class LiveRig {
  public:
   explicit LiveRig(const RigSettings& settings = {});

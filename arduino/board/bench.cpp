@@ -1,14 +1,20 @@
 #include "arduino/board/bench.h"
 
+#include <utility>
+
 namespace searig::board {
 
 Bench::Bench(SimulatedBoard& board, line::PseudoTerminal& terminal, std::uint64_t seed,
              double start_s)
     : board_(board), terminal_(terminal), faults_(seed), start_s_(start_s) {}
 
+void Bench::hear() {
+  heard_ = terminal_.read();
+}
+
 void Bench::run_until(double host_s) {
-  board_.receive(terminal_.read());
   board_.run_until(host_s - start_s_);
+  board_.receive(std::exchange(heard_, {}));
   collect();
   deliver(host_s);
 }

@@ -16,7 +16,12 @@ class Bench {
   /// start_s: the host's monotonic time at which the board's time begins.
   Bench(SimulatedBoard& board, line::PseudoTerminal& terminal, std::uint64_t seed, double start_s);
 
-  /// Brings the board up to a monotonic time and carries what is due to and from the host.
+  /// Takes what the host has sent until now. Before the time is asked for, so that nothing reaches
+  /// the board before it was sent.
+  void hear();
+
+  /// Brings the board up to a monotonic time, gives it what was heard, and carries to the host what
+  /// is due.
   void run_until(double host_s);
 
   /// drop SHARE, double SHARE, flip SHARE, stall SECONDS, reset, unplug, plug. Whether it is one.
@@ -37,7 +42,8 @@ class Bench {
   line::PseudoTerminal& terminal_;
   acquisition::LineFaults faults_;
   double start_s_;
-  double stalled_until_s_ = 0.0;       ///< host time
+  double stalled_until_s_ = 0.0;  ///< host time
+  std::vector<std::uint8_t> heard_;
   std::vector<std::uint8_t> unended_;  ///< of the frame that is being sent
   std::deque<Frame> on_the_way_;
 };

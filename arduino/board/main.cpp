@@ -22,6 +22,7 @@ using searig::acquisition::host_now_s;
 using searig::acquisition::InputError;
 using searig::board::Bench;
 using searig::board::SimulatedBoard;
+using searig::line::DeviceTime;
 
 volatile sig_atomic_t stopped = 0;
 
@@ -29,8 +30,8 @@ struct Options {
   std::string sensor = "hx711", link, force = "sine:20,0.5", eeprom;
   searig::board::BoardSettings board;
   std::uint64_t seed = 1;
-  double epoch_s = NAN, seconds = INFINITY;
-  bool uncalibrated = false, with_stdin = false;
+  double epoch_s = NAN, start_s = NAN, seconds = INFINITY;
+  bool uncalibrated = false, with_stdin = false, stepped = false, quiet = false;
 };
 
 int parse(int argc, char** argv, Options& options) {
@@ -48,6 +49,7 @@ int parse(int argc, char** argv, Options& options) {
       ->capture_default_str();
   app.add_option("--epoch", options.epoch_s,
                  "when the force's time is 0, on the monotonic clock; else the start");
+  app.add_option("--start", options.start_s, "when it starts, on the monotonic clock; else now");
   app.add_option("--skew-ppm", options.board.skew_ppm, "how much too fast the board's clock is");
   app.add_option("--hx711-hz", options.board.hx711_hz, "conversions in a second")
       ->check(CLI::Range(1.0, 1000.0))
@@ -57,6 +59,9 @@ int parse(int argc, char** argv, Options& options) {
   app.add_option("--seconds", options.seconds, "ends after this time");
   app.add_flag("--uncalibrated", options.uncalibrated, "tare and gain are not stored in the board");
   app.add_flag("--with-stdin", options.with_stdin, "ends when standard input ends");
+  app.add_flag("--stepped", options.stepped,
+               "its time moves only by the command 'run SECONDS', to so long after the start");
+  app.add_flag("--quiet", options.quiet, "says nothing at its end");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -96,16 +101,26 @@ void save_eeprom(const SimulatedBoard& board, const std::string& file) {
 }
 
 /// Until stopped, in steps of a fifth of a millisecond; after a stall it catches up.
-void run(Bench& bench, const searig::line::PseudoTerminal& terminal, const Options& options) {
-  searig::line::CommandLine commands(
-      [&](const auto& command) { return bench.obey(command, host_now_s()); });
-  const double end_s = host_now_s() + options.seconds;
-  while (!stopped && host_now_s() < end_s && !(options.with_stdin && commands.ended())) {
+void run(Bench& bench, const searig::line::PseudoTerminal& terminal, DeviceTime& time,
+         const Options& options) {
+  searig::line::CommandLine commands([&](const auto& command) {
+    const double before_s = time.now_s();
+    if (!time.obey(command)) return bench.obey(command, before_s);
+    bench.hear();
+    bench.run_until(before_s);
+    bench.run_until(time.now_s());
+    return true;
+  });
+  const double end_s = time.now_s() + options.seconds;
+  while (!stopped && time.now_s() < end_s && !(options.with_stdin && commands.ended())) {
     pollfd ready[] = {{commands.handle(), POLLIN, 0}};
     const timespec step{0, 200'000};
-    if (ppoll(ready, 1, &step, nullptr) > 0) commands.read();
-    bench.run_until(host_now_s());
+    if (ppoll(ready, 1, time.stepped() ? nullptr : &step, nullptr) > 0) commands.read();
+    if (time.stepped()) continue;
+    bench.hear();
+    bench.run_until(time.now_s());
   }
+  if (options.quiet) return;
   std::cerr << "searig-board: " << bench.faults().dropped() << " frames dropped, "
             << bench.faults().duplicated() << " doubled, " << bench.faults().damaged()
             << " damaged; " << terminal.lost() << " bytes found the terminal full\n";
@@ -115,8 +130,9 @@ int simulate(Options& options) {
   // A new board has started any number of times before, so that a host tells it from the last one.
   options.board.last_boot = static_cast<std::uint16_t>(std::random_device{}());
   constexpr double kBefore = 0.3;  // s of calibration
-  const double start_s = host_now_s() - kBefore;
-  const double begin_s = std::isnan(options.epoch_s) ? -kBefore : start_s - options.epoch_s;
+  DeviceTime time(std::isnan(options.start_s) ? host_now_s() : options.start_s, options.stepped);
+  const double epoch_s = std::isnan(options.epoch_s) ? time.start_s() : options.epoch_s;
+  const double start_s = time.start_s() - kBefore, begin_s = start_s - epoch_s;
   SimulatedBoard board(options.board, searig::board::parse_force(options.force, begin_s));
   if (options.eeprom.empty() || !load_eeprom(board, options.eeprom)) {
     if (!options.uncalibrated) calibrate(board, options);
@@ -128,7 +144,7 @@ int simulate(Options& options) {
   terminal.plug();
   std::cout << terminal.path() << std::endl;
   Bench bench(board, terminal, options.seed, start_s);
-  run(bench, terminal, options);
+  run(bench, terminal, time, options);
   if (!options.eeprom.empty()) save_eeprom(board, options.eeprom);
   return 0;
 }

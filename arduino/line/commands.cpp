@@ -6,6 +6,8 @@
 #include <charconv>
 #include <iostream>
 
+#include "acquisition/source/source.h"
+
 namespace searig::line {
 namespace {
 
@@ -46,6 +48,16 @@ std::string CommandLine::obey(std::string_view line) const {
     if (!command.number) return "no number from 0 up: " + std::string(line);
   }
   return handler_(command) ? "" : "unknown command: " + std::string(line);
+}
+
+double DeviceTime::now_s() const {
+  return stepped_ ? reached_s_ : acquisition::host_now_s();
+}
+
+bool DeviceTime::obey(const Command& command) {
+  if (!stepped_ || command.word != "run" || !command.number) return false;
+  reached_s_ = *command.number;
+  return true;
 }
 
 bool set_fault(acquisition::FaultShares& shares, const Command& command) {

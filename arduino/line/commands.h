@@ -39,6 +39,26 @@ class CommandLine {
   bool ended_ = false;
 };
 
+/// Who owns a simulated device's time: the machine's clock, or whoever says "run SECONDS".
+class DeviceTime {
+ public:
+  /// start_s: the monotonic time at which the device starts; stepped: its time stands at 0 there
+  /// and moves only when told to.
+  DeviceTime(double start_s, bool stepped) : start_s_(stepped ? 0.0 : start_s), stepped_(stepped) {}
+
+  double start_s() const { return start_s_; }
+  double now_s() const;
+  bool stepped() const { return stepped_; }
+
+  /// "run SECONDS": up to so long after the start. Whether it is that command and time is stepped.
+  bool obey(const Command& command);
+
+ private:
+  double start_s_;
+  bool stepped_;
+  double reached_s_ = 0.0;
+};
+
 /// The faults that all links have: drop, double and flip with their shares.
 bool set_fault(acquisition::FaultShares& shares, const Command& command);
 

@@ -18,6 +18,7 @@ namespace {
 
 using searig::acquisition::host_now_s;
 using searig::acquisition::InputError;
+using searig::line::DeviceTime;
 
 volatile sig_atomic_t stopped = 0;
 
@@ -26,8 +27,8 @@ struct Options {
   std::string host = "127.0.0.1", serial;
   std::uint16_t port = 5005;
   std::uint64_t fault_seed = 1;
-  double epoch_s = NAN, seconds = INFINITY;
-  bool with_stdin = false;
+  double epoch_s = NAN, start_s = NAN, seconds = INFINITY;
+  bool with_stdin = false, stepped = false, quiet = false;
 };
 
 int parse(int argc, char** argv, Options& options) {
@@ -49,8 +50,12 @@ int parse(int argc, char** argv, Options& options) {
   app.add_option("--fault-seed", options.fault_seed, "of the faults")->capture_default_str();
   app.add_option("--epoch", options.epoch_s,
                  "when the experiment's time is 0, on the monotonic clock; else the start");
+  app.add_option("--start", options.start_s, "when it starts, on the monotonic clock; else now");
   app.add_option("--seconds", options.seconds, "ends after this time");
   app.add_flag("--with-stdin", options.with_stdin, "ends when standard input ends");
+  app.add_flag("--stepped", options.stepped,
+               "its time moves only by the command 'run SECONDS', to so long after the start");
+  app.add_flag("--quiet", options.quiet, "says nothing at its end");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -59,34 +64,47 @@ int parse(int argc, char** argv, Options& options) {
   return -1;
 }
 
-void run(searig::module::Stream& stream, const searig::module::Link& link, const Options& options) {
-  searig::line::CommandLine commands(
-      [&](const auto& command) { return stream.obey(command, host_now_s()); });
-  const double end_s = host_now_s() + options.seconds;
-  while (!stopped && host_now_s() < end_s && !(options.with_stdin && commands.ended())) {
+void run(searig::module::Stream& stream, const searig::module::Link& link, DeviceTime& time,
+         const Options& options) {
+  searig::line::CommandLine commands([&](const auto& command) {
+    const double before_s = time.now_s();
+    if (!time.obey(command)) return stream.obey(command, before_s);
+    stream.hear();
+    stream.run_until(before_s);
+    stream.run_until(time.now_s());
+    return true;
+  });
+  const double end_s = time.now_s() + options.seconds;
+  while (!stopped && time.now_s() < end_s && !(options.with_stdin && commands.ended())) {
     pollfd ready[] = {{commands.handle(), POLLIN, 0}, {link.handle(), POLLIN, 0}};
-    const double wait_s = std::clamp(stream.next_s() - host_now_s(), 0.0, 0.01);
+    const double wait_s = std::clamp(stream.next_s() - time.now_s(), 0.0, 0.01);
     const timespec wait{0, static_cast<long>(wait_s * 1e9)};
-    if (ppoll(ready, 2, &wait, nullptr) > 0 && ready[0].revents != 0) commands.read();
-    stream.run_until(host_now_s());
+    const int watched = time.stepped() ? 1 : 2;
+    if (ppoll(ready, watched, time.stepped() ? nullptr : &wait, nullptr) > 0 &&
+        ready[0].revents != 0)
+      commands.read();
+    if (time.stepped()) continue;
+    stream.hear();
+    stream.run_until(time.now_s());
   }
+  if (options.quiet) return;
   std::cerr << "searig-module: " << stream.sent() << " frames made, " << stream.faults().dropped()
             << " dropped, " << stream.faults().duplicated() << " doubled, "
             << stream.faults().damaged() << " damaged\n";
 }
 
 int simulate(Options& options) {
-  const double start_s = host_now_s();
+  DeviceTime time(std::isnan(options.start_s) ? host_now_s() : options.start_s, options.stepped);
   // A module has started any number of times before, so that a host tells it from the last one.
   options.module.boot = static_cast<std::uint16_t>(std::random_device{}());
-  if (!std::isnan(options.epoch_s)) options.module.begin_s = start_s - options.epoch_s;
+  if (!std::isnan(options.epoch_s)) options.module.begin_s = time.start_s() - options.epoch_s;
   searig::module::SimulatedModule module(options.module);
   const auto link = options.serial.empty()
                         ? std::make_unique<searig::module::DatagramLink>(options.host, options.port)
                         : searig::module::make_serial_link(options.serial);
   std::cout << link->name() << std::endl;
-  searig::module::Stream stream(module, *link, options.fault_seed, start_s);
-  run(stream, *link, options);
+  searig::module::Stream stream(module, *link, options.fault_seed, time.start_s());
+  run(stream, *link, time, options);
   return 0;
 }
 

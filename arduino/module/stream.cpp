@@ -1,5 +1,7 @@
 #include "arduino/module/stream.h"
 
+#include <utility>
+
 namespace searig::module {
 namespace {
 
@@ -11,9 +13,13 @@ constexpr std::size_t kMostAtOnce = 10'000;
 Stream::Stream(SimulatedModule& module, Link& link, std::uint64_t seed, double start_s)
     : module_(module), link_(link), faults_(seed), start_s_(start_s) {}
 
+void Stream::hear() {
+  for (Bytes request; !(request = link_.receive()).empty();) heard_.push_back(std::move(request));
+}
+
 void Stream::run_until(double host_s) {
-  for (Bytes request; !(request = link_.receive()).empty();) {
-    const Bytes answer = module_.answer(request, host_s - start_s_);
+  for (; !heard_.empty(); heard_.pop_front()) {
+    const Bytes answer = module_.answer(heard_.front(), host_s - start_s_);
     if (!answer.empty()) send(answer);
   }
   while (next_s() <= host_s) send(module_.take_sample());

@@ -16,7 +16,11 @@ class Stream {
   /// start_s: the host's monotonic time at which the module's true time begins.
   Stream(SimulatedModule& module, Link& link, std::uint64_t seed, double start_s);
 
-  /// Answers and sends what is due.
+  /// Takes what the host has sent until now. Before the time is asked for, so that nothing is
+  /// received before it was sent.
+  void hear();
+
+  /// Answers what was heard and sends what is due.
   void run_until(double host_s);
   double next_s() const { return start_s_ + module_.next_sample_s(); }
 
@@ -38,6 +42,7 @@ class Stream {
   acquisition::LineFaults faults_;
   double start_s_;
   double stalled_until_s_ = 0.0;
+  std::deque<Bytes> heard_;
   std::deque<Bytes> held_;  ///< by a stall
   std::deque<Bytes> past_;  ///< the last frames, to be replayed
   std::uint64_t sent_ = 0;

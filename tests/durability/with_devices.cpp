@@ -2,11 +2,13 @@
 // libserialport.
 #include <sys/resource.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "acquisition/clock/synchronise.h"
 #include "tests/arduino/device_processes.h"
 #include "tests/system/running_record.h"
 
@@ -73,6 +75,31 @@ TEST(Durability, TenMinutesAtOneKilohertzLoseNothingAndCostLittle) {
   }
   EXPECT_LT(share, 0.10);
   EXPECT_LT(memory_late, 1.1 * memory_then);
+}
+
+/// The truth is known since both start at one instant: what each clock shows is skew and offset.
+TEST(Durability, PingsPlaceTheBoardOnTheModulesClockWithinAMillisecond) {
+  const TemporaryFolder folder;
+  const double start_s = acquisition::host_now_s() + 0.5;
+  const std::vector<std::string> at{"--start", std::to_string(start_s)};
+  std::vector<std::string> board_options{"--skew-ppm", "-2000"};
+  board_options.insert(board_options.end(), at.begin(), at.end());
+  const BoardProcess board((folder.path() / "port").string(), board_options);
+  const ModuleProcess module(at);  // 14 ppm fast, 437.5 s ahead
+  const fs::path file = folder.path() / "a.mcap";
+  Running running(record_words(board, module.name, file, 30.0));
+  EXPECT_EQ(running.wait(), 0);
+  const auto recording = acquisition::read_recording(file);
+  const acquisition::ClockMap map = acquisition::synchronise(recording);
+  const double true_s = 15.0, boots_s = 145e-6;  // of the firmware, as a test of it measures
+  const double error_s =
+      map.to_module(true_s * (1.0 - 2000e-6) - boots_s) - (437.5 + true_s * (1.0 + 14e-6));
+  std::printf("offset wrong by %.3f ms, stated +-%.3f ms: %s\n", 1e3 * error_s, 1e3 * map.ci95_s,
+              map.why.c_str());
+  EXPECT_TRUE(map.trusted);
+  EXPECT_LT(std::abs(error_s), 1e-3);
+  EXPECT_LE(std::abs(error_s), map.ci95_s);
+  EXPECT_LT(map.ci95_s, 1e-3);
 }
 
 TEST(Durability, EverythingThatBefallsTheDevicesIsInOneRecording) {

@@ -25,11 +25,12 @@ TEST(Record, TheSimulatedRigIntoAFileThatOtherCommandsTake) {
   EXPECT_GT(recording.module.t_s.size(), 1000u);
   EXPECT_EQ(answer["streams"][0]["received"], recording.module.t_s.size());
   EXPECT_EQ(recording.module.counts.lost, 0u);
+  EXPECT_EQ(recording.loadcell.counts.lost, 0u);
   EXPECT_EQ(recording.gear_ratio, 349.0);
   EXPECT_DOUBLE_EQ(recording.lever_arm_m, 0.15);
   const Ran info = run_program("searig info " + file.string());
   EXPECT_NE(info.out.find("connected"), std::string::npos);
-  EXPECT_NE(info.out.find("\"simulated\", firmware 1, 50 Hz"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("\"loadcell\", firmware 1, 50 Hz"), std::string::npos) << info.out;
 }
 
 TEST(Record, WritesOverNothing) {

@@ -1,15 +1,18 @@
 // Live, replayed and batch estimates from the same raw frames are the same to the last bit.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "acquisition/recorder/device_stream.h"
 #include "acquisition/recorder/replay.h"
 #include "acquisition/recording/mcap/read_mcap.h"
+#include "acquisition/wire/line_faults.h"
+#include "app/rig/believed_model.h"
 #include "app/rig/live_estimate.h"
-#include "app/rig/live_rig.h"
-#include "app/rig/simulated_sources.h"
+#include "app/rig/live_signals.h"
 #include "app/session/session.h"
+#include "arduino/module/simulated_module.h"
 
 namespace searig::app {
 namespace {
@@ -23,32 +26,17 @@ using acquisition::StreamId;
 /// Follows the stiffness along the module's samples as they are decoded.
 class Follower {
  public:
-  Follower()
-      : estimate_(believed_model(estimator::twin::Parameters{}),
-                  start_from(believed_model(estimator::twin::Parameters{}), 1.0)) {}
-
-  void take(const std::vector<Entry>& entries) {
-    for (const Entry& entry : entries) {
-      const auto* row = std::get_if<acquisition::SampleRow>(&entry);
-      if (!row || row->device != StreamId::module) continue;
-      auto& module = signals_.module;
-      module.t_s.push_back(row->t_s());
-      module.input_angle_rad.push_back(row->values[4]);
-      module.output_angle_rad.push_back(row->values[5]);
-      module.deflection_rad.push_back(row->values[4] - row->values[5]);
-      module.current_a.push_back(row->values[6]);
-      module.commanded_angle_rad.push_back(row->values[7]);
-    }
-  }
-  void follow(bool ended = false) { estimate_.follow(signals_, ended); }
+  void take(const std::vector<Entry>& entries) { signals_.take(entries); }
+  void follow(bool ended = false) { estimate_.follow(signals_.signals(), ended); }
   const History& history() const { return estimate_.history(); }
 
  private:
-  estimator::Signals signals_;
-  LiveEstimate estimate_;
+  LiveSignals signals_{0.15};
+  const estimator::Model model_ = believed_model(estimator::twin::Parameters{});
+  LiveEstimate estimate_{model_, start_from(model_, 1.0)};
 };
 
-/// Fifteen seconds of a rig that loses frames, followed while they come and recorded.
+/// Fifteen seconds of a module that loses frames, followed while they come and recorded.
 struct Live {
   std::string file;
   Follower follower;
@@ -56,25 +44,21 @@ struct Live {
   /// device_s: what the module's clock shows at the start. Near zero, differences of its times are
   /// rounded otherwise than later.
   Live(double look_every_s, double device_s) {
-    double host_s = 500.0;
-    RigSettings settings;
-    settings.module.loss = 0.01;
-    settings.module.clock.offset_s = device_s;
-    auto [module, loadcell] = simulated_sources(settings, [&] { return host_s; });
+    module::SimulatedModule module({.clock_s = device_s});
+    acquisition::LineFaults line(3);
+    line.shares.drop = 0.01;
     acquisition::mcap::RecordingWriter out([&](std::string_view bytes) { file.append(bytes); },
                                            "searig test", 1.7e9);
-    acquisition::mcap::Settings recorded;
-    recorded.gear_ratio = settings.parameters.drive.gear_ratio;
-    out.settings(recorded, host_s);
-    DeviceStream modules(StreamId::module, Framing::stream);
-    DeviceStream loadcells(StreamId::loadcell, Framing::stream);
-    for (; host_s < 515.0; host_s += look_every_s) {
-      std::vector<Arrival> from_module, from_loadcell;
+    out.settings({}, started_s);
+    DeviceStream modules(StreamId::module, Framing::datagrams);
+    write_loadcell(out);
+    for (double until_s = look_every_s; until_s < 15.0; until_s += look_every_s) {
       std::vector<Entry> entries;
-      module->read(from_module);
-      loadcell->read(from_loadcell);
-      for (const Arrival& arrival : from_module) modules.take(arrival, entries);
-      for (const Arrival& arrival : from_loadcell) loadcells.take(arrival, entries);
+      while (module.next_sample_s() < until_s) {
+        const double host_s = started_s + module.next_sample_s() + 0.0003;
+        const auto frame = line.pass(module.take_sample());
+        if (!frame.empty()) modules.take({Arrival::Kind::bytes, host_s, frame, {}}, entries);
+      }
       for (const Entry& entry : entries) acquisition::write_entry(entry, out);
       out.file().end_chunk();
       follower.take(entries);
@@ -83,11 +67,22 @@ struct Live {
     out.file().finish();
     follower.follow(true);
   }
+
+ private:
+  static constexpr double started_s = 500.0;
+
+  /// At rest: a session wants one, and the estimate does not look at it.
+  static void write_loadcell(acquisition::mcap::RecordingWriter& out) {
+    out.set_columns(StreamId::loadcell, {"t_s", "host_s", "run", "force_n"});
+    for (double t = 0.0; t < 15.0; t += 0.02)
+      out.sample(StreamId::loadcell, started_s + t,
+                 std::vector{t, started_s + t + 0.001, 0.0, std::sin(t)});
+  }
 };
 
 Follower replayed(const std::string& file, std::size_t follow_every) {
   Follower follower;
-  DeviceStream modules(StreamId::module, Framing::stream);
+  DeviceStream modules(StreamId::module, Framing::datagrams);
   std::size_t arrivals = 0;
   acquisition::replay(file, [&](StreamId device, const Arrival& arrival) {
     if (device != StreamId::module) return;
@@ -137,7 +132,7 @@ TEST_P(BitIdentity, TheRecordedSamplesAreThoseOfTheRawBytes) {
   const Live live(0.05, GetParam());
   const auto recorded = acquisition::mcap::recording_of(live.file, "live");
   std::vector<double> t_s, current_a;
-  DeviceStream modules(StreamId::module, Framing::stream);
+  DeviceStream modules(StreamId::module, Framing::datagrams);
   acquisition::replay(live.file, [&](StreamId device, const Arrival& arrival) {
     std::vector<Entry> entries;
     if (device == StreamId::module) modules.take(arrival, entries);

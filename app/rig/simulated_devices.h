@@ -1,0 +1,49 @@
+// The two simulated devices as processes of their own: the real firmware on a simulated board, and
+// a module, both at one and the same motion.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "acquisition/source/child_process.h"
+#include "acquisition/source/source.h"
+#include "app/rig/link.h"
+
+namespace searig::app {
+
+struct DeviceOptions {
+  std::uint64_t seed = 1;  ///< of the experiment: the same one is the same motion
+  double module_rate_hz = 500.0;
+  double module_skew_ppm = 14.0;   ///< the module's crystal is good
+  double board_skew_ppm = -310.0;  ///< a ceramic resonator
+
+  /// What the devices' clocks show, by true time since their start.
+  DeviceClock module_clock() const { return {module_skew_ppm, 437.5}; }
+  DeviceClock board_clock() const { return {board_skew_ppm, -145e-6}; }  ///< so long it boots
+};
+
+/// A device that runs while this object lives.
+struct SimulatedDevice {
+  std::unique_ptr<acquisition::ChildProcess> process;
+  std::string address;  ///< where it is to be heard: a pseudo terminal, or udp:HOST:PORT
+};
+
+/// Both throw std::runtime_error with one sentence where the program is not there; the board's says
+/// what it is built from. stepped: time moves by the command "run SECONDS" only (DeviceTime).
+/// start_s: when the device starts, on the host's monotonic clock, where it is not stepped.
+SimulatedDevice start_board(const DeviceOptions& options, bool stepped, double start_s);
+SimulatedDevice start_module(const DeviceOptions& options, bool stepped, double start_s);
+
+/// What a device says, through the host's usual ways: terminal and datagrams.
+std::unique_ptr<acquisition::Source> open_board(const SimulatedDevice& board);
+std::unique_ptr<acquisition::Source> open_module(const SimulatedDevice& module);
+
+struct SimulatedSources {
+  std::unique_ptr<acquisition::Source> module;
+  std::unique_ptr<acquisition::Source> loadcell;
+};
+
+/// Devices in real time, which end with their sources; each is only started if it is wanted.
+SimulatedSources simulated_sources(bool module, bool loadcell, const DeviceOptions& options = {});
+
+}  // namespace searig::app
