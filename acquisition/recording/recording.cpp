@@ -1,6 +1,9 @@
 #include "acquisition/recording/recording.h"
 
+#include <utility>
+
 #include "acquisition/error.h"
+#include "acquisition/recording/hebilog/read_hebilog.h"
 #include "acquisition/recording/mapping.h"
 #include "acquisition/recording/mcap/read_mcap.h"
 #include "acquisition/recording/stream_reader.h"
@@ -70,6 +73,17 @@ void check(const Device& device, const Recording& so_far, const fs::path& toml) 
     refuse("cannot be aligned by velocity: it has no input_angle_rad and no motor_angle_rad");
 }
 
+/// A module's stream out of CSV, or out of its vendor's log, which may hold further channels.
+Stream module_of(const StreamMapping& mapping, Recording& recording) {
+  if (!hebilog::is_hebilog(mapping.file)) return read_stream(mapping);
+  Recording log = hebilog::read_hebilog(mapping.file);
+  log.module.host_latency = mapping.host_latency;
+  recording.devices = std::move(log.devices);
+  recording.events = std::move(log.events);
+  recording.recorded = std::move(log.recorded);
+  return std::move(log.module);
+}
+
 }  // namespace
 
 const std::vector<double>& Stream::channel(std::string_view wanted) const {
@@ -88,7 +102,7 @@ Recording read_recording(const fs::path& folder) {
   recording.path = folder;
   recording.name = fs::absolute(toml).lexically_normal().parent_path().filename().string();
   recording.gear_ratio = mapping.gear_ratio;
-  recording.module = read_stream(mapping.module);
+  recording.module = module_of(mapping.module, recording);
   recording.loadcell = read_stream(mapping.loadcell);
   for (const DeviceMapping& mapped : mapping.devices) {
     const Device device{read_stream(mapped.stream), mapped.aligned_by};

@@ -63,6 +63,19 @@ constexpr auto kChannels = std::to_array<ChannelUnit>({
     {"torque_nm", "N*m"},
 });
 
+/// The longer ones first.
+constexpr auto kEndings = std::to_array<ChannelUnit>({
+    {"_rad_s", "rad/s"},
+    {"_m_s2", "m/s^2"},
+    {"_rad", "rad"},
+    {"_nm", "N*m"},
+    {"_s", "s"},
+    {"_n", "N"},
+    {"_a", "A"},
+    {"_v", "V"},
+    {"_c", "degC"},
+});
+
 }  // namespace
 
 std::optional<Unit> find_unit(std::string_view name) {
@@ -75,6 +88,13 @@ std::optional<std::string_view> channel_unit(std::string_view channel) {
   for (const ChannelUnit& known : kChannels)
     if (known.channel == channel) return known.unit;
   return std::nullopt;
+}
+
+std::string_view unit_of(std::string_view channel) {
+  if (const auto unit = channel_unit(channel)) return *unit;
+  for (const ChannelUnit& ending : kEndings)
+    if (channel.ends_with(ending.channel)) return ending.unit;
+  return "1";
 }
 
 std::string units_like(std::string_view si_unit) {

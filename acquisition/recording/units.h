@@ -27,6 +27,10 @@ std::optional<Unit> find_unit(std::string_view name);
 /// The SI unit of a channel ("deflection_rad" -> "rad"), or none where there is no such channel.
 std::optional<std::string_view> channel_unit(std::string_view channel);
 
+/// The unit that a channel's name ends with ("effort_nm" -> "N*m"), known or not; "1" where there
+/// is none.
+std::string_view unit_of(std::string_view channel);
+
 /// The units that measure the same, for an error sentence: "rad, mrad, deg".
 std::string units_like(std::string_view si_unit);
 

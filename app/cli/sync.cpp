@@ -8,6 +8,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "app/session/stream_facts.h"
+#include "app/session/sync_report.h"
 
 namespace searig::app {
 namespace {
@@ -19,28 +20,6 @@ struct Options {
 
 using acquisition::ClockMap;
 using acquisition::Recording;
-
-nlohmann::json map_json(const ClockMap& map) {
-  return {{"rate", map.rate}, {"offset_s", map.offset_s}, {"ci95_s", map.ci95_s}};
-}
-
-/// With {"devices": [{"name", "to_module": {...}, "trusted", "why"}]} where there are any.
-nlohmann::json answer(const Recording& recording, const ClockMap& map,
-                      const std::vector<ClockMap>& devices) {
-  nlohmann::json out{{"format", "searig-sync/1"},
-                     {"loadcell_to_module", map_json(map)},
-                     {"trusted", map.trusted},
-                     {"why", map.why},
-                     {"streams", {stream_json(recording.module), stream_json(recording.loadcell)}}};
-  for (std::size_t i = 0; i < devices.size(); ++i) {
-    out["devices"].push_back({{"name", recording.devices[i].stream.name},
-                              {"to_module", map_json(devices[i])},
-                              {"trusted", devices[i].trusted},
-                              {"why", devices[i].why}});
-    out["streams"].push_back(stream_json(recording.devices[i].stream));
-  }
-  return out;
-}
 
 void say_map(const ClockMap& map, const std::string& short_name, const std::string& whose) {
   std::printf("module time = %.9f * %s time %+.6f s, +- %.2f ms (95 %%)\n", map.rate,
@@ -68,7 +47,7 @@ void run(const Options& options) {
   for (const auto& device : recording.devices)
     devices.push_back(acquisition::synchronise(recording, device));
   if (options.json != "-") say(recording, map, devices);
-  if (!options.json.empty()) write_json(answer(recording, map, devices), options.json);
+  if (!options.json.empty()) write_json(sync_report(recording, map, devices), options.json);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ using acquisition::Stream;
 
 double seconds_of(const Stream& stream) {
   double seconds = 0.0;
+  if (stream.t_s.empty()) return seconds;
   for (const acquisition::Run& run : acquisition::runs_of(stream))
     seconds += stream.t_s[run.last - 1] - stream.t_s[run.first];
   return seconds;
@@ -55,6 +56,8 @@ std::vector<std::string> switched_off(const acquisition::Recording& recording) {
            });
   };
   std::vector<std::string> sentences;
+  if (recording.loadcell.t_s.empty())
+    sentences.push_back("no load cell: nothing to hold the module against.");
   if (!has("deflection_rad") && !(has("input_angle_rad") && has("output_angle_rad")))
     sentences.push_back("no deflection: nothing can be said of the spring.");
   if (!has("current_a")) sentences.push_back("no current_a: no torque from the motor current.");

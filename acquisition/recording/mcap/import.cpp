@@ -1,6 +1,7 @@
 #include "acquisition/recording/mcap/import.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <span>
@@ -61,7 +62,7 @@ Settings settings_of(const Recording& recording, const std::string& program) {
   const auto stream = [](const Stream& from, StreamSettings& to) {
     to.source = from.file.string();
     to.host_latency = from.host_latency;
-    to.sorted = {from.counts, from.restarts};
+    to.sorted = {from.counts, from.restarts, from.least_wire_s};
   };
   stream(recording.module, settings.module);
   stream(recording.loadcell, settings.loadcell);
@@ -110,6 +111,15 @@ void write_rows(RecordingWriter& out, std::vector<Table>& tables) {
   }
 }
 
+void write_pings(RecordingWriter& out, StreamId device, const Stream& stream) {
+  static const std::vector<std::string> names{"host_s", "host_sent_s", "device_received_s",
+                                              "device_s", "run"};
+  for (const Exchange& ping : stream.pings)
+    out.ping(device, names,
+             std::array{ping.host_received_s, ping.host_sent_s, ping.device_received_s,
+                        ping.device_sent_s, double(ping.run)});
+}
+
 }  // namespace
 
 void write_mcap(const Recording& recording, const std::vector<fs::path>& originals,
@@ -128,6 +138,8 @@ void write_mcap(const Recording& recording, const std::vector<fs::path>& origina
   for (std::size_t i = 2; i < tables.size(); ++i)
     tables[i].channel = out.add_device(recording.devices[i - 2].stream.name, tables[i].names);
   write_rows(out, tables);
+  write_pings(out, StreamId::module, recording.module);
+  write_pings(out, StreamId::loadcell, recording.loadcell);
   for (const Event& event : recording.events) out.event(event);
   for (const fs::path& file : originals) {
     const std::string text = read_text_file(file);

@@ -145,7 +145,8 @@ Recording recording_of(std::string_view bytes, const std::string& name) {
   recording.cut_off = cut_off(ending, bytes.size());
   recording.module = stream_of("module", found.module, settings.module);
   recording.loadcell = stream_of("loadcell", found.loadcell, settings.loadcell);
-  recording.loadcell.least_wire_s = least_ping_wire_s(settings.loadcell.baud);
+  if (!settings.loadcell.sorted)
+    recording.loadcell.least_wire_s = least_ping_wire_s(settings.loadcell.baud);
   for (const DeviceSettings& device : settings.devices)
     recording.devices.push_back(
         {stream_of(device.name, {found.devices["/" + device.name], {}, {}}, device.stream),

@@ -108,6 +108,9 @@ Stream stream_of(const std::string& name, const ReceivedRows& received,
     std::iota(order.rows.begin(), order.rows.end(), std::size_t{0});
     for (const std::size_t restart : settings.sorted->restarts)  // of a file cut off there are less
       if (restart < rows.size()) order.restarts.push_back(restart);
+    order.runs.resize(order.restarts.size() + 1);
+    std::iota(order.runs.begin(), order.runs.end(), 0.0);
+    stream.least_wire_s = settings.sorted->least_wire_s;
     stream.counts = settings.sorted->counts;
     stream.counts.garbled += rows.garbled;
   } else {

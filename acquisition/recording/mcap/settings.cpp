@@ -21,9 +21,13 @@ json stream_json(const StreamSettings& stream) {
                            {"ci95_s", stream.host_latency->ci95_s}};
   if (stream.sorted) {
     const StreamCounts& counts = stream.sorted->counts;
-    out["sorted"] = {{"received", counts.received},         {"lost", counts.lost},
-                     {"doubled", counts.doubled},           {"garbled", counts.garbled},
-                     {"out_of_order", counts.out_of_order}, {"restarts", stream.sorted->restarts}};
+    out["sorted"] = {{"received", counts.received},
+                     {"lost", counts.lost},
+                     {"doubled", counts.doubled},
+                     {"garbled", counts.garbled},
+                     {"out_of_order", counts.out_of_order},
+                     {"restarts", stream.sorted->restarts},
+                     {"least_wire_s", stream.sorted->least_wire_s}};
   }
   return out;
 }
@@ -39,7 +43,8 @@ StreamSettings stream_settings(const json& in) {
     const json& sorted = in["sorted"];
     stream.sorted = {{sorted.at("received"), sorted.at("lost"), sorted.at("doubled"),
                       sorted.at("garbled"), sorted.at("out_of_order")},
-                     sorted.at("restarts")};
+                     sorted.at("restarts"),
+                     sorted.value("least_wire_s", 0.0)};
   }
   return stream;
 }

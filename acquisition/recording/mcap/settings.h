@@ -15,6 +15,7 @@ namespace searig::acquisition::mcap {
 struct SortedRows {
   StreamCounts counts;
   std::vector<std::size_t> restarts;
+  double least_wire_s = 0.0;  ///< of pings, see Stream
 };
 
 struct StreamSettings {

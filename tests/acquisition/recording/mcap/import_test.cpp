@@ -111,6 +111,25 @@ TEST(Import, KeepsFurtherDevicesAndHowTheyAreAligned) {
   EXPECT_EQ(read.recorded, recording.recorded);
 }
 
+TEST(Import, KeepsPings) {
+  Recording recording = a_recording();
+  recording.loadcell.restarts = {100};
+  recording.loadcell.least_wire_s = 0.00137;
+  for (int i = 0; i < 10; ++i)
+    recording.loadcell.pings.push_back({i + 0.1, i + 7.0, i + 7.1, i + 0.3, std::size_t(i > 5)});
+  const Recording read = recording_of(mcap_of(recording), "file");
+  EXPECT_EQ(read.loadcell.least_wire_s, recording.loadcell.least_wire_s);
+  EXPECT_TRUE(read.module.pings.empty());
+  ASSERT_EQ(read.loadcell.pings.size(), 10u);
+  for (std::size_t i = 0; i < 10; ++i) {
+    const Exchange &a = read.loadcell.pings[i], &b = recording.loadcell.pings[i];
+    EXPECT_EQ(std::tie(a.host_sent_s, a.device_received_s, a.device_sent_s, a.host_received_s,
+                       a.run),
+              std::tie(b.host_sent_s, b.device_received_s, b.device_sent_s, b.host_received_s,
+                       b.run));
+  }
+}
+
 TEST(Import, AModulesOwnLogNeedsNoLoadCell) {
   Recording recording = a_recording();
   recording.loadcell = {};
