@@ -26,7 +26,7 @@ class Canvas {
                          double opacity = 1.0) = 0;
   virtual void polyline(const Points& points, std::string_view paint) = 0;
   virtual void polygon(const Points& points, std::string_view paint, double opacity) = 0;
-  virtual void dots(const Points& points, std::string_view paint) = 0;
+  virtual void dots(const Points& points, std::string_view paint, double diameter = 3.0) = 0;
   /// `kind` is "t" for a title, "f" for faint, else ink.
   virtual void text(double x, double y, std::string_view words, Anchor anchor = Anchor::start,
                     std::string_view kind = {}) = 0;

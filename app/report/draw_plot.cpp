@@ -32,24 +32,35 @@ std::string name_of(Hue hue) {
 struct LegendEntry {
   std::string name;
   Hue hue;
-  bool area;  // a filled box rather than a stroke
-  Stroke stroke = Stroke::thick;
+  enum class Sign { stroke, dashes, area, dot } sign;
 };
 
 std::vector<LegendEntry> legend_of(const Plot& plot) {
   std::vector<LegendEntry> entries;
   for (const auto& series : plot.series) {
     if (!series.name.empty()) {
-      entries.push_back({series.name, series.hue, series.style == Style::band});
+      const auto sign = series.style == Style::band   ? LegendEntry::Sign::area
+                        : series.style == Style::dots ? LegendEntry::Sign::dot
+                                                      : LegendEntry::Sign::stroke;
+      entries.push_back({series.name, series.hue, sign});
     }
   }
   for (const auto& level : plot.levels) {
-    if (!level.name.empty()) entries.push_back({level.name, level.hue, false, Stroke::dashed});
+    if (!level.name.empty()) entries.push_back({level.name, level.hue, LegendEntry::Sign::dashes});
   }
   if (!plot.shaded.empty() && !plot.shaded_name.empty()) {
-    entries.push_back({plot.shaded_name, plot.shaded.front().hue, true});
+    entries.push_back({plot.shaded_name, plot.shaded.front().hue, LegendEntry::Sign::area});
   }
   return entries;
+}
+
+void draw_sign(Canvas& canvas, const LegendEntry& entry, double x, double y) {
+  using Sign = LegendEntry::Sign;
+  const std::string paint = name_of(entry.hue);
+  if (entry.sign == Sign::area) return canvas.rectangle(x, y + 2, 20, 10, paint, 0.3);
+  if (entry.sign == Sign::dot) return canvas.dots({{x + 10, y + 7}}, paint, 5.0);
+  canvas.line(x, y + 7, x + 20, y + 7, paint,
+              entry.sign == Sign::dashes ? Stroke::dashed : Stroke::thick);
 }
 
 /// Draws the legend above the data, where it can cover none; returns the height it took.
@@ -63,11 +74,7 @@ double draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, doub
       x = left;
       y += row_px;
     }
-    if (entry.area) {
-      canvas.rectangle(x, y + 2, 20, 10, name_of(entry.hue), 0.3);
-    } else {
-      canvas.line(x, y + 7, x + 20, y + 7, name_of(entry.hue), entry.stroke);
-    }
+    draw_sign(canvas, entry, x, y);
     canvas.text(x + 26, y + 11, entry.name);
     x += width;
   }
@@ -118,7 +125,8 @@ Frame lay_out(const Plot& plot, Size size, double top) {
   }
   frame.left = margin_px + widest + 8.0 + (plot.y_label.empty() ? 0.0 : 20.0);
   frame.width = std::max(60.0, size.width - frame.left - margin_px - 8.0);
-  frame.x = make_axis(x_range_of(plot), std::max(2, static_cast<int>(frame.width / 90.0)));
+  frame.x = make_axis(x_range_of(plot),
+                      plot.x_ticks.value_or(std::max(2, static_cast<int>(frame.width / 90.0))));
   return frame;
 }
 
@@ -192,7 +200,10 @@ void draw_series(Canvas& canvas, const Series& series, const Frame& frame) {
     }
     run.push_back(point);
   }
-  if (series.style == Style::dots) return canvas.dots(run, paint);
+  if (series.style == Style::dots) {
+    constexpr std::size_t few = 100;  // so few can be large
+    return canvas.dots(run, paint, run.size() <= few ? 5.0 : 3.0);
+  }
   if (!run.empty()) canvas.polyline(run, paint);
 }
 

@@ -25,7 +25,7 @@ th,td{padding:.35rem .9rem;text-align:right;border-bottom:1px solid var(--rule)}
 th{border-bottom-width:2px;font-weight:600}
 th:first-child,td:first-child{padding-left:0}
 th:first-child,td:first-child,.words{text-align:left}
-td.words{vertical-align:top}
+td{vertical-align:top}
 figure{margin:1.4rem 0;break-inside:avoid}
 figure svg{max-width:100%;height:auto}
 .beside{display:grid;grid-template-columns:repeat(auto-fit,minmax(20rem,1fr));gap:1.5rem}

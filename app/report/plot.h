@@ -62,6 +62,7 @@ struct Plot {
   std::string shaded_name = {};       ///< what the shading means, for the legend
   std::optional<Range> x_range = {};  ///< else what the data span
   std::optional<Range> y_range = {};
+  std::optional<int> x_ticks = {};  ///< about so many; else as many as there is room for
 };
 
 /// Of a picture, in pixels.

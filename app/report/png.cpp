@@ -72,11 +72,11 @@ class PngCanvas final : public Canvas {
     cairo_fill(cairo_.get());
   }
 
-  void dots(const Points& points, std::string_view paint) override {
+  void dots(const Points& points, std::string_view paint, double diameter = 3.0) override {
     set_paint(paint);
     for (const auto& [x, y] : points) {
       cairo_new_path(cairo_.get());
-      cairo_arc(cairo_.get(), x, y, 1.5, 0, 2 * pi);
+      cairo_arc(cairo_.get(), x, y, diameter / 2, 0, 2 * pi);
       cairo_fill(cairo_.get());
     }
   }

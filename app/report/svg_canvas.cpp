@@ -95,9 +95,10 @@ void SvgCanvas::polygon(const Points& points, std::string_view paint, double opa
   out_ += "<polygon" + colour("fill", paint) + alpha + " points=\"" + join(points) + "\"/>\n";
 }
 
-void SvgCanvas::dots(const Points& points, std::string_view paint) {
+void SvgCanvas::dots(const Points& points, std::string_view paint, double diameter) {
   if (points.empty()) return;
-  out_ += "<path stroke-width=\"3\" stroke-linecap=\"round\"" + colour("stroke", paint) + " d=\"";
+  out_ += "<path" + attribute("stroke-width", diameter) + " stroke-linecap=\"round\"" +
+          colour("stroke", paint) + " d=\"";
   for (const auto& [x, y] : points) out_ += 'M' + px(x) + " " + px(y) + "h0";
   out_ += "\"/>\n";
 }

@@ -18,7 +18,7 @@ class SvgCanvas final : public Canvas {
                  double opacity = 1.0) override;
   void polyline(const Points& points, std::string_view paint) override;
   void polygon(const Points& points, std::string_view paint, double opacity) override;
-  void dots(const Points& points, std::string_view paint) override;
+  void dots(const Points& points, std::string_view paint, double diameter = 3.0) override;
   void text(double x, double y, std::string_view words, Anchor anchor = Anchor::start,
             std::string_view kind = {}) override;
   void text_upwards(double x, double y, std::string_view words) override;

@@ -81,6 +81,7 @@ json to_json(const Reproduction& all, const std::vector<Figure>& figures) {
     files.push_back({{"name", figure.name},
                      {"png", figure.name + ".png"},
                      {"csv", figure.name + ".csv"},
+                     {"agrees", figure.agrees},
                      {"verdict", figure.verdict}});
   }
   return {{"format", "searig-reproduction/1"},

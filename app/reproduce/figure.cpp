@@ -4,12 +4,14 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <stdexcept>
 
 #include "app/report/axis.h"
 #include "app/report/png.h"
-#include "app/reproduce/figure_words.h"
+#include "app/report/quantity.h"
 #include "app/reproduce/window.h"
+#include "app/reproduce/words.h"
 
 namespace searig::app::reproduce {
 namespace {
@@ -20,6 +22,11 @@ constexpr const char *time_label = "Time (sec)", *torque_label = "Torque (N·m)"
 Hue hue_of(const std::string& key) {
   if (key == "best_fit") return Hue::ink;
   return key == "current" ? Hue::vermilion : Hue::blue;
+}
+
+/// "Figure 4: torque ..." is "Torque ..." where the number stands above it.
+std::string without_number(const std::string& title) {
+  return capital(title.substr(title.find(": ") + 2));
 }
 
 Figure table_figure(const Reproduction& all) {
@@ -41,7 +48,7 @@ Figure table_figure(const Reproduction& all) {
 }
 
 constexpr double degrees(double rad) {
-  return rad * 180.0 / 3.14159265358979323846;
+  return rad * 180.0 / std::numbers::pi;
 }
 
 Figure mullins_figure(const Reproduction& all) {
@@ -59,7 +66,7 @@ Figure mullins_figure(const Reproduction& all) {
                   {},
                   Style::line,
                   hue};
-    for (std::size_t i = cycle * per_cycle; i < (cycle + 1) * per_cycle; ++i) {
+    for (std::size_t i = cycle * per_cycle; i <= (cycle + 1) * per_cycle; ++i) {
       series.x.push_back(degrees(cycles.deflection_rad[i]));
       series.y.push_back(cycles.torque_nm[i]);
     }
@@ -79,7 +86,7 @@ Figure torque_figure(std::string name, std::string title, const Window& window,
                      const std::vector<double>& estimate, const std::vector<double>& at_loadcell,
                      Series style) {
   Figure out{.name = std::move(name), .title = std::move(title)};
-  out.plot = {.title = out.title, .x_label = time_label, .y_label = torque_label};
+  out.plot = {.title = without_number(out.title), .x_label = time_label, .y_label = torque_label};
   style.x = window.t_s, style.y = estimate;
   out.plot.series = {
       {"measured by the load cell", window.measured_t_s, window.measured_nm, Style::line, Hue::ink},
@@ -92,7 +99,8 @@ Figure torque_figure(std::string name, std::string title, const Window& window,
 
 Figure error_figure(std::string name, std::string title, const Window& window) {
   Figure out{.name = std::move(name), .title = std::move(title)};
-  out.plot = {.title = out.title, .x_label = time_label, .y_label = "Torque error (N·m)"};
+  out.plot = {
+      .title = without_number(out.title), .x_label = time_label, .y_label = "Torque error (N·m)"};
   out.plot.series = {
       {"motor current", window.measured_t_s, window.current_error_nm, Style::line, Hue::vermilion},
       {"spring deflection, stiffness estimated online", window.measured_t_s, window.online_error_nm,
@@ -148,8 +156,20 @@ std::vector<Figure> figures(const Reproduction& all) {
                     poor.measured_online_nm, online),
       error_figure("figure_10", "Figure 10: the errors from a poor start", poor),
       stiffness_figure(poor, all.shown.figures.best_fit_k_nm_per_rad)};
-  for (std::size_t i = 2; i < out.size(); ++i) out[i].plot.x_range = Range{0, seconds};
-  say(out, all, good, poor);
+  for (std::size_t i = 2; i < out.size(); ++i) {
+    out[i].plot.x_range = Range{0, seconds};
+    out[i].plot.x_ticks = 3;  // 0, 5, 10, 15, as in the paper
+  }
+  const std::vector<Words> words = {
+      table_words(all),        mullins_words(all),     current_words(all, good),
+      weight_words(good),      online_words(good),     error_words(good),
+      poor_torque_words(poor), poor_error_words(poor), stiffness_words(all, poor)};
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i].paper = words[i].paper;
+    out[i].ours = words[i].ours;
+    out[i].verdict = words[i].verdict();
+    out[i].agrees = words[i].agrees;
+  }
   return out;
 }
 

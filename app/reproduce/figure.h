@@ -22,8 +22,9 @@ struct Figure {
   Plot plot = {};
   Size size = {900, 320};
   std::vector<Column> columns = {};
-  std::string paper = {};    ///< what the paper's figure shows
-  std::string ours = {};     ///< what this one shows, with its numbers
+  std::string paper = {};  ///< what the paper's figure shows
+  std::string ours = {};   ///< what this one shows, with its numbers
+  bool agrees = false;
   std::string verdict = {};  ///< what agrees, what does not, and why
 };
 

@@ -1,22 +1,21 @@
 #include "app/reproduce/page.h"
 
+#include <utility>
+
 #include "app/report/axis.h"
 #include "app/reproduce/answer.h"
+#include "app/reproduce/words.h"
 #include "estimator/twin/paper_module.h"
 
 namespace searig::app::reproduce {
 namespace {
 
-std::string percent(double value, int decimals = 1) {
-  return number(value, decimals) + " %";
-}
-
 void write_table_1(HtmlReport& report, const Reproduction& all) {
   std::vector<std::vector<std::string>> rows;
   for (const Row& row : table_1(all, all.trials)) {
     const Spread spread = spread_of(row.trials);
-    rows.push_back({row.name, row.paper ? percent(*row.paper, 0) : "–", percent(spread.mean),
-                    number(spread.least, 1) + " to " + percent(spread.most)});
+    rows.push_back({row.name, row.paper ? percent(*row.paper) : "–", percent(spread.mean, 1),
+                    number(spread.least, 1) + " to " + percent(spread.most, 1)});
   }
   report.table({"torque model", "paper", "twin, mean", "least to most"}, rows,
                "Mean |estimate − measured| over mean |measured|, at the load cell's samples. The "
@@ -30,8 +29,9 @@ void write_targets(HtmlReport& report, const Reproduction& all) {
   const int trials = static_cast<int>(all.trials.size());
   std::vector<std::vector<std::string>> rows;
   for (std::size_t v = 0; v < all.variants.size(); ++v) {
+    std::string name = all.variants[v].name;  // once for its three rows
     for (const auto& sentence : target_sentences(targets(all.trials, v), trials)) {
-      rows.push_back({all.variants[v].name, sentence});
+      rows.push_back({std::exchange(name, ""), sentence});
     }
   }
   report.table({"estimator", "target and what was measured"}, rows);
@@ -44,13 +44,15 @@ void write_targets(HtmlReport& report, const Reproduction& all) {
       number(t.loadcell_off_percent, 1) + " % in the mean; the paper's estimate is off by " +
       number(t.mean_off_percent, 1) +
       " %. To this comes what one η cannot say: it holds at the load at which it was measured, "
-      "and less load has relatively more friction. A stiffness alone cannot do better on such "
-      "rubber; a state with a damping term (the paper's equation 12) could.");
+      "and less load has relatively more friction. A stiffness alone cannot tell loading from "
+      "unloading; for that the paper proposes a damping term (equation 12).");
 }
 
-void write_figures(HtmlReport& report, const std::vector<Figure>& figures) {
+void write_figures(HtmlReport& report, const Reproduction& all,
+                   const std::vector<Figure>& figures) {
   for (const Figure& figure : figures) {
     report.heading(figure.title);
+    if (figure.name == "table_1") write_table_1(report, all);
     report.beside("In the paper", figure.paper, "On the twin", figure.ours);
     report.picture(figure.plot, figure.size);
     report.verdict(figure.verdict);
@@ -68,13 +70,13 @@ void write_hand(HtmlReport& report, const Reproduction& all) {
   const auto held = table_1(all, all.trials), dragged = table_1(all, all.dragged);
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < held.size(); ++i) {
-    rows.push_back({held[i].name, percent(spread_of(held[i].trials).mean),
-                    percent(spread_of(dragged[i].trials).mean)});
+    rows.push_back({held[i].name, percent(spread_of(held[i].trials).mean, 1),
+                    percent(spread_of(dragged[i].trials).mean, 1)});
   }
   const auto mean = [](const std::vector<TrialFigures>& trials, double TrialFigures::*what) {
     double sum = 0;
     for (const auto& trial : trials) sum += trial.*what;
-    return percent(sum / static_cast<double>(trials.size()));
+    return percent(sum / static_cast<double>(trials.size()), 1);
   };
   rows.push_back({"current's error while trusted (weight above one half)",
                   mean(all.trials, &TrialFigures::current_trusted_percent),
@@ -82,9 +84,10 @@ void write_hand(HtmlReport& report, const Reproduction& all) {
   rows.push_back({"current's error elsewhere",
                   mean(all.trials, &TrialFigures::current_rest_percent),
                   mean(all.dragged, &TrialFigures::current_rest_percent)});
-  report.table({"error", "hand holds against", "hand drags along"}, rows,
-               "The paper's 8 % beside 21 % can only come about with the first kind of hand: with "
-               "that much friction the current is right only while the motor drives.");
+  report.table(
+      {"error", "hand holds against", "hand drags along"}, rows,
+      "On the twin, the paper's 8 % beside 21 % come about with the first kind of hand only: "
+      "with that much friction the current is right only while the motor drives.");
 }
 
 void write_numbers(HtmlReport& report, const Reproduction& all) {
@@ -95,7 +98,7 @@ void write_numbers(HtmlReport& report, const Reproduction& all) {
                     fact.reason});
   }
   report.table(
-      {"what", "value", "from", "why"}, rows,
+      {"what", "value", "from where and why"}, rows,
       "The twin was set from the paper's text and from common values before Table I was "
       "looked at; only the hand (its kind, stiffness and motion) was chosen after a first run "
       "with the other kind, as told above.");
@@ -103,25 +106,26 @@ void write_numbers(HtmlReport& report, const Reproduction& all) {
   const auto& motor = *all.variants[0].drive.find("drive.motor");
   report.heading("Every number of the estimator and the protocol");
   report.table(
-      {"what", "value", "from", "why"},
-      {{"γ", "20 degrees²/s", "paper, section V-A", "the unit is not printed: see figure 5"},
-       {"α", "1e-4 per filter step", "paper, section V-E", ""},
-       {"β", "1 (N·m)⁴", "paper, section V-E", "the variance of a squared torque"},
-       {"first variance", "(10 N·m/rad)²", "chosen", "the paper does not print it"},
-       {"weight of the middle sigma point", "2/3", "chosen",
-        "with it the moments of the squared error are exact; not printed"},
-       {"rate of the deflection", "cubic over ±20 ms", "chosen", "not printed"},
-       {"η", number(motor.parameters.at("efficiency"), 3), "measured on the twin",
-        "raising " + number(protocol.bench_load_nm, 0) + " N·m at " +
+      {"what", "value", "from where and why"},
+      {{"γ", "20 degrees²/s", "paper, section V-A; the unit is not printed: see figure 5"},
+       {"α", "1e-4 per filter step", "paper, section V-E"},
+       {"β", "1 (N·m)⁴", "paper, section V-E: the variance of a squared torque"},
+       {"first variance", "(10 N·m/rad)²", "chosen: the paper does not print it"},
+       {"weight of the middle sigma point", "2/3",
+        "chosen: with it the moments of the squared error are exact; not printed"},
+       {"rate of the deflection", "cubic over ±20 ms", "chosen: not printed"},
+       {"η", number(motor.parameters.at("efficiency"), 3),
+        "measured on the twin: raising " + number(protocol.bench_load_nm, 0) + " N·m at " +
             number(protocol.bench_rad_s, 1) +
             " rad/s on the nominal module, as gears are measured; no trial had a say in it"},
-       {"length of a trial", number(protocol.seconds, 0) + " s", "chosen",
-        "the paper's figures show 15 s; the trust weight needs longer to sum to 5 s"},
-       {"trials", std::to_string(all.trials.size()), "chosen",
-        "springs, motions, pulls and noise all differ; the figures show trial 1, whichever it is"},
-       {"poor start", "10 times the best fit", "paper, section VII", "an order of magnitude"},
-       {"strokes of figure 3", std::to_string(figure_3_cycles) + " of ±7.4 degrees", "chosen",
-        "to 6 N·m; not printed"}});
+       {"length of a trial", number(protocol.seconds, 0) + " s",
+        "chosen: the paper's figures show 15 s; the trust weight needs longer to sum to 5 s"},
+       {"trials", std::to_string(all.trials.size()),
+        "chosen: springs, motions, pulls and noise all differ; the figures show trial 1, whichever "
+        "it is"},
+       {"poor start", "10 times the best fit", "paper, section VII: an order of magnitude"},
+       {"strokes of figure 3", std::to_string(figure_3_cycles) + " of ±7.4 degrees at 0.5 Hz",
+        "chosen: to 6 N·m; not printed"}});
   report.paragraph(
       "searig's numbers: γ, α and β are taken at the module's own size and rate, P starts at and "
       "is bounded by 20 % of torque over deflection. Friction known: the drive's line through two "
@@ -141,8 +145,7 @@ HtmlReport page(const Reproduction& all, const std::vector<Figure>& figures) {
   report.verdict("Online " + number(t.over_best_fit, 2) + " times the best fit's error (paper " +
                  "1.14) and " + number(t.over_current, 2) +
                  " times the motor current's (paper 0.38).");
-  write_table_1(report, all);
-  write_figures(report, figures);
+  write_figures(report, all, figures);
   write_targets(report, all);
   write_hand(report, all);
   write_numbers(report, all);

@@ -39,6 +39,9 @@ SpringCycles cycle_spring(const SpringParameters& parameters, double amplitude_r
     }
     out.stiffness_nm_per_rad.push_back(slope(out.deflection_rad, out.torque_nm, first));
   }
+  out.t_s.push_back(cycles / hz);  // closes the last loop
+  out.deflection_rad.push_back(0.0);
+  out.torque_nm.push_back(spring.torque_nm(0.0));
   return out;
 }
 

@@ -8,7 +8,8 @@
 
 namespace searig::estimator::twin {
 
-/// Strokes of one amplitude on a spring alone; all columns as long as each other but the last.
+/// Strokes of one amplitude on a spring alone. As many samples for each cycle, and one that closes
+/// the last; the stiffness once for each cycle.
 struct SpringCycles {
   std::vector<double> t_s;
   std::vector<double> deflection_rad;

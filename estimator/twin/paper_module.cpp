@@ -11,7 +11,7 @@ constexpr double spread = 0.1;  // paper, section IV-C: "as much as a 10 % varia
 
 std::string with_unit(double value, const char* unit) {
   char text[64];
-  std::snprintf(text, sizeof text, "%.4g %s", value, unit);
+  std::snprintf(text, sizeof text, "%.3g %s", value, unit);
   return text;
 }
 
