@@ -154,7 +154,12 @@ void DeviceStream::take(const Identity& identity, std::vector<Entry>& entries) {
 
 void DeviceStream::take(const Restart& restart, std::vector<Entry>& entries) {
   if (restart.run == 0) return;  // its first start seen here
-  note(restart.host_s, "reset", "The device began anew: its clock and its sequences too.", entries);
+  if (restart.paused)
+    note(restart.host_s, "gap",
+         "The device paused: its clock stood still while it was not heard, and goes on.", entries);
+  else
+    note(restart.host_s, "reset", "The device began anew: its clock and its sequences too.",
+         entries);
 }
 
 void DeviceStream::tell(double host_s, const SourceCounters& source, std::vector<Entry>& entries) {

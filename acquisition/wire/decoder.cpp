@@ -90,6 +90,18 @@ bool Decoder::follows(const Frame& frame) const {
          can_skip(sequence.window.skipped(header.sequence), device_s);
 }
 
+/// Whether the device stood still since the run's last frame: its next frame, its clock a little
+/// further, while the host's went on.
+bool Decoder::goes_on_after_pause(const Frame& frame) const {
+  const wire::Header& header = frame.header;
+  const Sequence& sequence = sequences_[index_of(header.type)];
+  if (!running_ || header.boot != boot_ || !sequence.begun) return false;
+  if (sequence.window.place(header.sequence) != SequenceWindow::Place::newest) return false;
+  const double device_s = (header.time_us - static_cast<std::uint32_t>(time_.us())) * 1e-6;
+  return device_s <= frame.host_s - time_.host_s() &&
+         can_skip(sequence.window.skipped(header.sequence), device_s);
+}
+
 /// Whether the frame came before: in this run, or in one that is over.
 bool Decoder::seen(const Frame& frame) const {
   const wire::Header& header = frame.header;
@@ -119,15 +131,17 @@ void Decoder::wait_or_begin(const Frame& frame, std::vector<Message>& messages) 
 
 void Decoder::begin_run(const Frame& frame, std::vector<Message>& messages) {
   const bool from_start = running_ && !after_gap_;  // we were there when the device restarted
+  const bool paused = goes_on_after_pause(frame);
   if (running_) {
     ++run_;
-    ++counters_.restarts;
+    ++(paused ? counters_.pauses : counters_.restarts);
     if (boot_ != frame.header.boot) earlier_boots_.push_back(boot_);
     if (earlier_boots_.size() > kBootsKept) earlier_boots_.pop_front();
-    messages.emplace_back(Restart{frame.host_s, run_, frame.header.boot});
+    messages.emplace_back(Restart{frame.host_s, run_, frame.header.boot, paused});
   }
   boot_ = frame.header.boot;
   time_.begin(frame.header.time_us, frame.host_s);
+  if (paused) return;
   for (Sequence& sequence : sequences_) {
     sequence.begun = from_start;
     if (from_start) sequence.window.begin(0);

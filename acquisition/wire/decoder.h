@@ -29,6 +29,7 @@ struct WireCounters {
   std::uint64_t out_of_order = 0;     ///< sent before one that came before them; handed on
   std::uint64_t implausible = 0;      ///< good, but at a place or time that cannot be; left out
   std::uint64_t restarts = 0;         ///< of the device while we listened
+  std::uint64_t pauses = 0;           ///< its clock stood still; frames went on where they were
   std::uint64_t repeated = 0;         ///< load-cell samples without a new reading
   std::uint64_t at_limit = 0;         ///< load-cell samples at an end of the converter's range
   std::uint64_t device_overruns = 0;  ///< what the device could not make or send
@@ -62,6 +63,7 @@ class Decoder {
   bool may_be_another() const { return after_gap_ && framing_ == Framing::stream; }
   bool seen(const Frame& frame) const;
   bool follows(const Frame& frame) const;
+  bool goes_on_after_pause(const Frame& frame) const;
   void wait_or_begin(const Frame& frame, std::vector<Message>& messages);
   void begin_run(const Frame& frame, std::vector<Message>& messages);
   void hand_on(const Frame& frame, std::vector<Message>& messages);

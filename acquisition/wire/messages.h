@@ -61,10 +61,13 @@ struct Identity {
 };
 
 /// The device began anew: its clock and its sequences too. Comes before the run's first message.
+/// Or it only paused: its clock stood still while it was not heard, and both go on where they were.
+/// That is a run of its own too, as the clock is another time behind the host's.
 struct Restart {
   double host_s = 0.0;
   std::uint32_t run = 0;
   std::uint16_t boot = 0;  ///< the device's own number of this start
+  bool paused = false;
 };
 
 using Message = std::variant<LoadcellSample, ModuleSample, Pong, Identity, Restart>;

@@ -132,6 +132,27 @@ TEST(Decoder, GoesOnBehindAGapAndMarksWhatItCost) {
   EXPECT_EQ(decoder.counters().restarts, 0u);
 }
 
+/// A suspended module: nothing for minutes, then its next frame, by its own clock a moment later.
+TEST(Decoder, TellsAPauseFromARestart) {
+  for (const double silence_s : {70.0, 1000.0, 3000.0}) {
+    Sender sender;
+    const auto frames = loadcell_frames(sender, 100, 5'000'000);
+    Decoder decoder(Framing::datagrams);
+    std::vector<Message> messages;
+    for (int i = 0; i < 50; ++i) decoder.push(frames[i], 10.0 + 0.02 * i, messages);
+    decoder.gap();
+    for (int i = 50; i < 100; ++i) decoder.push(frames[i], 10.0 + silence_s + 0.02 * i, messages);
+    const auto samples = only<LoadcellSample>(messages);
+    ASSERT_EQ(samples.size(), 100u) << silence_s;
+    EXPECT_EQ(samples[99].at.run, 1u);
+    EXPECT_NEAR(samples[99].at.device_s - samples[50].at.device_s, 0.98, 1e-9);
+    ASSERT_EQ(only<Restart>(messages).size(), 1u);
+    EXPECT_TRUE(only<Restart>(messages)[0].paused);
+    EXPECT_EQ(decoder.counters().pauses, 1u);
+    EXPECT_EQ(decoder.counters().restarts + decoder.counters().lost, 0u);
+  }
+}
+
 TEST(Decoder, TakesAnotherDeviceBehindAGapForARestartEvenWithTheSameBoot) {
   Sender one, other;
   const auto first = loadcell_frames(one, 50, 80'000'000);
