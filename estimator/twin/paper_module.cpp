@@ -75,7 +75,9 @@ std::vector<Fact> rig_facts(const Parameters& module) {
       {"lever", with_unit(arm_m, "m, ") + with_unit(inertia, "kg·m²"), "",
        "a light handle at a hand's width (figure 8 shows it without a scale)"},
       {"hand and rubber bands", with_unit(stiffness, "N·m/rad, ") + with_unit(damping, "N·m·s/rad"),
-       "", "a firm wrist; figure 8: load cell under rubber bands"},
+       "",
+       "an arm of 400 N/m at this lever, as tensed arms are (F. A. Mussa-Ivaldi et al., 1985: some "
+       "hundred N/m); figure 8 shows handle, load cell and rubber bands"},
       {"encoders", with_unit(sensors.encoder_step_rad * 180 / std::numbers::pi, "degrees per step"),
        "",
        "section III: two absolute magnetic encoders, before and behind the spring; 14 bits are "
@@ -97,11 +99,18 @@ std::vector<Fact> rig_facts(const Parameters& module) {
        "section VI says that both were synchronised, not how; here searig sync does it"}};
 }
 
-std::vector<Fact> motion_facts() {
-  return {{"the module's motion", "4 sines of 0.05 to 0.45 Hz that add up to 0.9 rad", "",
+std::string words_of(const SineBand& band) {
+  return std::to_string(band.count) + " sines of " + with_unit(band.low_hz, "to ") +
+         with_unit(band.high_hz, "Hz that add up to ") + with_unit(band.amplitude_rad, "rad");
+}
+
+std::vector<Fact> motion_facts(const MotionParameters& motion) {
+  return {{"the module's motion", words_of(motion.module), "",
            "section VI: during the module's operation; stays within its ±90 degrees (figure 1)"},
-          {"the hand's pull", "5 sines of 0.12 to 1.1 Hz that add up to 0.55 rad", "",
-           "section VI: applied manually; reaches torques of 4 to 9 N·m"}};
+          {"where the hand wants the lever", words_of(motion.hand), "",
+           "section VI: applied manually. It holds against the module and gives and takes at "
+           "leisure: by section V-A the current is accurate while the deflection grows, which "
+           "needs a motor that then drives; reaches torques of 5 to 8 N·m"}};
 }
 
 }  // namespace
@@ -116,7 +125,7 @@ Parameters nominal_paper_module() {
   module.drive.load_friction_share = 0.12;
   module.lever.hand_stiffness_nm_per_rad = 9.0;
   module.motion.hand = {0.5, 0.03, 0.15, 3};
-  module.motion.hand_goes_along = 0.0;  // it holds against the module; see motion_facts()
+  module.motion.hand_goes_along = 0.0;  // see motion_facts()
   return module;
 }
 
@@ -135,7 +144,7 @@ std::vector<Fact> paper_module_facts() {
   const Parameters module = nominal_paper_module();
   std::vector<Fact> all;
   for (const auto& some : {spring_facts(module.spring), drive_facts(module.drive),
-                           rig_facts(module), motion_facts()}) {
+                           rig_facts(module), motion_facts(module.motion)}) {
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;
