@@ -1,17 +1,13 @@
 #include "acquisition/wire/decoder.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "acquisition/wire/plausible.h"
 #include "acquisition/wire/to_message.h"
 
 namespace searig::acquisition {
 namespace {
 
-constexpr double kLongestStall = 60.0;    // s that a frame may be late, or catch up
-constexpr double kWorstClock = 0.02;      // share by which a device clock may be wrong
-constexpr double kFastest = 10e3;         // frames of one type in a second
-constexpr std::uint32_t kFewLost = 1000;  // whatever the time
 constexpr std::size_t kBootsKept = 32;
 
 std::size_t index_of(wire::Type type) {
@@ -20,25 +16,6 @@ std::size_t index_of(wire::Type type) {
 
 bool is_sample(wire::Type type) {
   return type == wire::Type::loadcell_sample || type == wire::Type::module_sample;
-}
-
-/// Whether a device can have gone that far while the host went that far.
-bool keep_time(double device_s, double host_s) {
-  return std::abs(device_s - host_s) <= kLongestStall + kWorstClock * host_s;
-}
-
-bool can_skip(std::uint32_t frames, double seconds) {
-  return static_cast<double>(frames) <= kFewLost + kFastest * std::max(0.0, seconds);
-}
-
-/// Whether two frames that do not go on from what was, go on from each other.
-bool go_together(const Frame& a, const Frame& b) {
-  const auto step_us = static_cast<std::int32_t>(b.header.time_us - a.header.time_us);
-  if (a.header.boot != b.header.boot) return false;
-  if (!keep_time(step_us * 1e-6, b.host_s - a.host_s)) return false;
-  if (a.header.type != b.header.type) return true;
-  return b.header.sequence > a.header.sequence &&
-         can_skip(b.header.sequence - a.header.sequence, step_us * 1e-6);
 }
 
 }  // namespace

@@ -75,8 +75,9 @@ void run(const Options& options) {
     acquisition::mcap::write_mcap(recording, originals(recording, kind), "searig " SEARIG_VERSION,
                                   sink);
   });
-  if (options.json != "-") say(recording, options, kind);
-  if (!options.json.empty()) write_json(answer(recording, options), options.json);
+  give(
+      options.json, [&] { say(recording, options, kind); },
+      [&] { return answer(recording, options); });
 }
 
 }  // namespace

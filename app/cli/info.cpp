@@ -105,8 +105,8 @@ void say(const acquisition::Recording& recording, const acquisition::ClockMap& m
 void run(const Options& options) {
   const acquisition::Recording recording = acquisition::read_recording(options.recording);
   const acquisition::ClockMap map = acquisition::synchronise(recording);
-  if (options.json != "-") say(recording, map);
-  if (!options.json.empty()) write_json(answer(recording, map), options.json);
+  give(
+      options.json, [&] { say(recording, map); }, [&] { return answer(recording, map); });
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // searig record: a load cell and a module into one file, until the time is over or Ctrl-C.
 #include <csignal>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/record_answer.h"
 #include "app/rig/simulated_devices.h"
 #include "estimator/twin/parameters.h"
 
@@ -79,57 +79,6 @@ acquisition::RecorderOptions recorder_options(const Options& options) {
   return out;
 }
 
-std::string device_line(const char* name, const acquisition::WireCounters& counters) {
-  char text[160];
-  std::snprintf(text, sizeof text, "%s %llu, lost %llu, garbled %llu", name,
-                static_cast<unsigned long long>(counters.samples),
-                static_cast<unsigned long long>(counters.lost_samples),
-                static_cast<unsigned long long>(acquisition::garbled(counters)));
-  return text;
-}
-
-std::string clock_words(const RecorderState& state) {
-  if (!state.clock) return "clocks not known yet";
-  char text[80];
-  std::snprintf(text, sizeof text, "clocks +-%.1f ms%s", 1e3 * state.clock->ci95_s,
-                state.clock->trusted ? "" : ", NOT TRUSTED");
-  return text;
-}
-
-std::string state_line(const RecorderState& state) {
-  char seconds[32];
-  std::snprintf(seconds, sizeof seconds, "%.1f s   ", state.seconds);
-  return seconds + device_line("module", state.module) + "   " +
-         device_line("load cell", state.loadcell) + "   " + clock_words(state);
-}
-
-nlohmann::json counters_json(const char* name, const acquisition::WireCounters& counters) {
-  return {{"name", name},
-          {"received", counters.samples},
-          {"lost", counters.lost_samples},
-          {"doubled", counters.doubled},
-          {"garbled", acquisition::garbled(counters)},
-          {"out_of_order", counters.out_of_order},
-          {"restarts", counters.restarts}};
-}
-
-nlohmann::json answer(const Options& options, const RecorderState& state) {
-  nlohmann::json out = {
-      {"format", "searig-record/1"},
-      {"file", options.out.string()},
-      {"seconds", state.seconds},
-      {"bytes", state.bytes_written},
-      {"streams",
-       {counters_json("module", state.module), counters_json("loadcell", state.loadcell)}}};
-  if (state.clock)
-    out["loadcell_to_module"] = {{"rate", state.clock->rate},
-                                 {"offset_s", state.clock->offset_s},
-                                 {"ci95_s", state.clock->ci95_s},
-                                 {"trusted", state.clock->trusted},
-                                 {"why", state.clock->why}};
-  return out;
-}
-
 void run(const Options& options) {
   end_on_signals();
   auto [module, loadcell] = open_sources(options);
@@ -142,8 +91,9 @@ void run(const Options& options) {
                                                                : ProgressLine::no_end);
     });
   }
-  if (options.json != "-") std::cout << options.out.string() << ": " << state_line(state) << '\n';
-  if (!options.json.empty()) write_json(answer(options, state), options.json);
+  give(
+      options.json, [&] { std::cout << options.out.string() << ": " << state_line(state) << '\n'; },
+      [&] { return record_answer(options.out, state); });
 }
 
 }  // namespace

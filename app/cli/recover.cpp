@@ -64,9 +64,10 @@ void run(const Options& options) {
       throw acquisition::InputError(options.damaged.string() + ": " + recovered.ending.why +
                                     "; there is nothing that could be recovered.");
   });
-  if (options.json != "-") say(options, recovered, file.bytes().size());
-  if (!options.json.empty())
-    write_json(answer(options, recovered, file.bytes().size()), options.json);
+  const std::size_t size = file.bytes().size();
+  give(
+      options.json, [&] { say(options, recovered, size); },
+      [&] { return answer(options, recovered, size); });
 }
 
 }  // namespace

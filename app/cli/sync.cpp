@@ -46,8 +46,9 @@ void run(const Options& options) {
   std::vector<ClockMap> devices;
   for (const auto& device : recording.devices)
     devices.push_back(acquisition::synchronise(recording, device));
-  if (options.json != "-") say(recording, map, devices);
-  if (!options.json.empty()) write_json(sync_report(recording, map, devices), options.json);
+  give(
+      options.json, [&] { say(recording, map, devices); },
+      [&] { return sync_report(recording, map, devices); });
 }
 
 }  // namespace

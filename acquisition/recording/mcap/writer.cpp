@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <span>
 #include <utility>
 
 namespace searig::acquisition::mcap {
-namespace {}  // namespace
 
 Writer::Writer(Sink sink, const std::string& library) : sink_(std::move(sink)) {
   std::string bytes(magic);
@@ -34,7 +33,6 @@ std::uint16_t Writer::add_channel(Channel channel, Schema schema) {
   schemas_.push_back(std::move(schema));
   channels_.push_back(std::move(channel));
   sequence_.push_back(0);
-  messages_.push_back(0);
   entries_.emplace_back();
   return channels_.back().id;
 }
@@ -72,13 +70,11 @@ void Writer::end_chunk() {
       to_ns = std::max(to_ns, entry.log_time_ns);
     }
   std::string bytes = chunk_record(from_ns, to_ns);
-  const std::uint64_t chunk_length = bytes.size();
-
-  std::string index_offsets;
+  ChunkPlace place{from_ns, to_ns, offset_, bytes.size(), {}, 0, records_.size()};
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (entries_[i].empty()) continue;
-    put(index_offsets, channels_[i].id);
-    put(index_offsets, offset_ + bytes.size());
+    put(place.index_offsets, channels_[i].id);
+    put(place.index_offsets, offset_ + bytes.size());
     std::string index;
     put(index, channels_[i].id);
     put(index, static_cast<std::uint32_t>(16 * entries_[i].size()));
@@ -89,26 +85,11 @@ void Writer::end_chunk() {
     put_record(bytes, Opcode::message_index, index);
   }
 
-  const std::uint64_t chunk_offset = offset_;
+  place.index_length = bytes.size() - place.length;
   send(bytes);  // from here on nothing throws
-
-  std::string index;
-  put(index, from_ns);
-  put(index, to_ns);
-  put(index, chunk_offset);
-  put(index, chunk_length);
-  put_sized<std::uint32_t>(index, index_offsets);
-  put(index, std::uint64_t(bytes.size()) - chunk_length);
-  put_sized<std::uint32_t>(index, "");
-  put(index, std::uint64_t(records_.size()));
-  put(index, std::uint64_t(records_.size()));
-  put_record(chunk_indexes_, Opcode::chunk_index, index);
-
-  from_ns_ = chunks_ == 0 ? from_ns : std::min(from_ns_, from_ns);
-  to_ns_ = std::max(to_ns_, to_ns);
-  ++chunks_;
+  index_.add(place);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    messages_[i] += entries_[i].size();
+    index_.add_messages(i, entries_[i].size());
     entries_[i].clear();
   }
   records_.clear();
@@ -120,16 +101,7 @@ void Writer::attach(const Attachment& attachment) {
   put_attachment(bytes, attachment);
   const std::uint64_t offset = offset_;
   send(bytes);
-  std::string index;
-  put(index, offset);
-  put(index, std::uint64_t(bytes.size()));
-  put(index, attachment.log_time_ns);
-  put(index, attachment.made_time_ns);
-  put(index, std::uint64_t(attachment.data.size()));
-  put_sized<std::uint32_t>(index, attachment.name);
-  put_sized<std::uint32_t>(index, attachment.media_type);
-  put_record(attachment_indexes_, Opcode::attachment_index, index);
-  ++attachments_;
+  index_.add(attachment, offset, bytes.size());
 }
 
 void Writer::add_metadata(const std::string& name, const Texts& texts) {
@@ -140,71 +112,13 @@ void Writer::add_metadata(const std::string& name, const Texts& texts) {
   put_record(bytes, Opcode::metadata, content);
   const std::uint64_t offset = offset_;
   send(bytes);
-  std::string index;
-  put(index, offset);
-  put(index, std::uint64_t(bytes.size()));
-  put_sized<std::uint32_t>(index, name);
-  put_record(metadata_indexes_, Opcode::metadata_index, index);
-  ++metadata_;
-}
-
-std::string Writer::statistics() const {
-  std::string counts, content, bytes;
-  for (std::size_t i = 0; i < channels_sent_; ++i) {
-    put(counts, channels_[i].id);
-    put(counts, messages_[i]);
-  }
-  put(content, std::accumulate(messages_.begin(), messages_.end(), std::uint64_t{0}));
-  put(content, static_cast<std::uint16_t>(channels_sent_));
-  put(content, static_cast<std::uint32_t>(channels_sent_));
-  put(content, attachments_);
-  put(content, metadata_);
-  put(content, chunks_);
-  put(content, from_ns_);
-  put(content, to_ns_);
-  put_sized<std::uint32_t>(content, counts);
-  put_record(bytes, Opcode::statistics, content);
-  return bytes;
+  index_.add_metadata(name, offset, bytes.size());
 }
 
 void Writer::finish() {
   end_chunk();
-  std::string bytes, crc;
-  put(crc, crc_);
-  put_record(bytes, Opcode::data_end, crc);
-  const std::uint64_t summary_start = offset_ + bytes.size();
-
-  std::string summary, offsets;
-  const auto group = [&](Opcode opcode, const std::string& records) {
-    if (records.empty()) return;
-    std::string content;
-    put(content, static_cast<std::uint8_t>(opcode));
-    put(content, summary_start + summary.size());
-    put(content, std::uint64_t(records.size()));
-    put_record(offsets, Opcode::summary_offset, content);
-    summary += records;
-  };
-  std::string schemas, channels;
-  for (std::size_t i = 0; i < channels_sent_; ++i) {
-    put_schema(schemas, schemas_[i]);
-    put_channel(channels, channels_[i]);
-  }
-  group(Opcode::schema, schemas);
-  group(Opcode::channel, channels);
-  group(Opcode::statistics, statistics());
-  group(Opcode::chunk_index, chunk_indexes_);
-  group(Opcode::attachment_index, attachment_indexes_);
-  group(Opcode::metadata_index, metadata_indexes_);
-  const std::uint64_t offsets_start = summary_start + summary.size();
-  summary += offsets;
-
-  // The summary's CRC covers the footer as well, up to the CRC itself.
-  put(summary, static_cast<std::uint8_t>(Opcode::footer));
-  put(summary, std::uint64_t{8 + 8 + 4});
-  put(summary, summary_start);
-  put(summary, offsets_start);
-  put(summary, crc32_of(summary));
-  send(bytes + summary + std::string(magic));
+  send(index_.ending(offset_, crc_, std::span(schemas_).first(channels_sent_),
+                     std::span(channels_).first(channels_sent_)));
 }
 
 }  // namespace searig::acquisition::mcap

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "acquisition/recording/mcap/format.h"
+#include "acquisition/recording/mcap/index.h"
 
 namespace searig::acquisition::mcap {
 
@@ -54,7 +55,6 @@ class Writer {
 
   void send(std::string_view bytes);
   std::string chunk_record(std::uint64_t from_ns, std::uint64_t to_ns) const;
-  std::string statistics() const;
 
   Sink sink_;
   std::uint64_t offset_ = 0;
@@ -68,10 +68,7 @@ class Writer {
   std::string records_;                      // the chunk that waits
   std::vector<std::vector<Entry>> entries_;  // and its index, by channel
 
-  std::string chunk_indexes_, attachment_indexes_, metadata_indexes_;  // records, ready for the end
-  std::uint32_t chunks_ = 0, attachments_ = 0, metadata_ = 0;
-  std::vector<std::uint64_t> messages_;  // of each channel, sent
-  std::uint64_t from_ns_ = 0, to_ns_ = 0;
+  Index index_;  // for the end
 };
 
 }  // namespace searig::acquisition::mcap
