@@ -46,6 +46,8 @@ int parse(int argc, char** argv, Options& options) {
       ->capture_default_str();
   app.add_option("--skew-ppm", options.module.skew_ppm, "how much too fast its clock is")
       ->capture_default_str();
+  app.add_option("--clock", options.module.clock_s, "what its clock shows at the start, s")
+      ->capture_default_str();
   app.add_option("--seed", options.module.seed, "of the experiment")->capture_default_str();
   app.add_option("--fault-seed", options.fault_seed, "of the faults")->capture_default_str();
   app.add_option("--epoch", options.epoch_s,

@@ -105,7 +105,8 @@ TEST(Durability, PingsPlaceTheBoardOnTheModulesClockWithinAMillisecond) {
 TEST(Durability, EverythingThatBefallsTheDevicesIsInOneRecording) {
   const TemporaryFolder folder;
   BoardProcess board((folder.path() / "port").string(), {"--force", "constant:10"});
-  auto module = std::make_unique<ModuleProcess>();
+  // Its 32 bits of microseconds are full after seven seconds.
+  auto module = std::make_unique<ModuleProcess>(std::vector<std::string>{"--clock", "4288"});
   const std::string name = module->name, port = name.substr(name.rfind(':') + 1);
   const fs::path file = folder.path() / "a.mcap";
   Running running(record_words(board, name, file, 22.0));
@@ -118,7 +119,7 @@ TEST(Durability, EverythingThatBefallsTheDevicesIsInOneRecording) {
   sleep_s(3.0);
   module.reset();  // the module's process ends, and another begins
   const Process another({"searig-module", "--with-stdin", "--port", port});
-  EXPECT_EQ(board.command("drop 0.05"), "ok");
+  EXPECT_EQ(board.command("drop 0.01"), "ok");
   EXPECT_EQ(board.command("flip 0.001"), "ok");
   EXPECT_EQ(running.wait(), 0);
 
@@ -128,8 +129,9 @@ TEST(Durability, EverythingThatBefallsTheDevicesIsInOneRecording) {
   const auto answer = nlohmann::json::parse(info.out);
   for (const auto& event : answer["events"])
     kinds.insert(event["device"].get<std::string>() + " " + event["kind"].get<std::string>());
-  for (const char* kind : {"loadcell connected", "loadcell unplugged", "loadcell reconnected",
-                           "loadcell reset", "loadcell lost", "loadcell garbled", "module reset"})
+  for (const char* kind :
+       {"loadcell connected", "loadcell unplugged", "loadcell reconnected", "loadcell reset",
+        "loadcell lost", "loadcell garbled", "module wrap", "module reset"})
     EXPECT_TRUE(kinds.contains(kind)) << kind;
 
   const auto recording = acquisition::read_recording(file);
