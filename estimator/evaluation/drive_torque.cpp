@@ -78,7 +78,7 @@ std::vector<double> trust_weights(const ModuleSignals& module) {
   return out;
 }
 
-DriveTorque fitted(const Signals& signals) {
+DriveTorque fitted(const Signals& signals, const std::string& source) {
   const ModuleSignals& module = signals.module;
   const LoadcellSignals& loadcell = signals.loadcell;
   const auto at_loadcell = [&](const std::vector<double>& x) {
@@ -86,7 +86,7 @@ DriveTorque fitted(const Signals& signals) {
   };
   DriveTorque out;
   out.fitted = true;
-  out.from = "motor current times a constant fitted to the load cell, hence not independent of it";
+  out.from = source + " times a constant fitted to the load cell, hence not independent of it";
   std::vector<double> weights;
   if (!module.deflection_rad.empty()) {
     weights = at_loadcell(trust_weights(module));
@@ -103,8 +103,14 @@ DriveTorque fitted(const Signals& signals) {
 
 DriveTorque drive_torque(const Signals& signals, const Model* model, DriveTerms terms) {
   if (signals.module.current_a.empty()) return {};
-  if (model && model->has("drive.motor")) return from_model(signals.module, *model, terms);
-  return fitted(signals);
+  const bool by_loop = terms == DriveTerms::loop;
+  if (!model || !model->has("drive.motor")) {
+    return fitted(signals, by_loop ? "the control-loop error" : "motor current");
+  }
+  DriveTorque out = from_model(signals.module, *model, terms);
+  if (by_loop)
+    out.from = "the control-loop error times the loop's gain for the current, in " + out.from;
+  return out;
 }
 
 }  // namespace searig::estimator

@@ -13,6 +13,7 @@ namespace searig::estimator {
 enum class DriveTerms {
   model,  ///< all of its drive.* terms
   paper,  ///< the paper's equation (2): motor and inertia, no friction
+  loop,   ///< all, and the control loop's error stands for the current (see loop_error.h)
 };
 
 /// The torque of the drive at every module sample.

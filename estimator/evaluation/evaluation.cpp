@@ -6,6 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "estimator/evaluation/compare_estimators.h"
+#include "estimator/evaluation/loop_error.h"
 #include "estimator/evaluation/online_result.h"
 #include "estimator/model/predict.h"
 #include "estimator/order.h"
@@ -100,10 +102,16 @@ void evaluate_current(const Signals& signals, const DriveTorque& drive, Evaluati
 }  // namespace
 
 Evaluation evaluate(const Signals& recorded, const Model* model, const EvaluationOptions& options) {
-  const Signals signals = where_covered(recorded);
-  check(signals);
-  const DriveTorque drive = drive_torque(signals, model, options.drive);
+  Signals signals = where_covered(recorded);
   Evaluation out;
+  const bool by_loop = options.drive == DriveTerms::loop;
+  if (by_loop) {
+    const auto missing = take_loop_error_for_current(signals, options.loop_gain_a_per_rad);
+    if (missing) out.notes.push_back(*missing);
+  }
+  check(signals);
+  const bool knows_amperes = !by_loop || options.loop_gain_a_per_rad;
+  const DriveTorque drive = drive_torque(signals, knows_amperes ? model : nullptr, options.drive);
   if (const auto left_out = recorded.loadcell.t_s.size() - signals.loadcell.t_s.size()) {
     out.notes.push_back(std::to_string(left_out) +
                         " load-cell samples are left out: no telemetry at their time");
@@ -113,6 +121,9 @@ Evaluation evaluate(const Signals& recorded, const Model* model, const Evaluatio
   evaluate_current(signals, drive, out);
   if (!signals.module.deflection_rad.empty() && !drive.nm.empty()) {
     out.online = follow_online(signals, model, drive, options, out.best_fit, out.notes);
+  }
+  if (out.online) {
+    out.estimators = compare_estimators(signals, model, drive, options, *out.online, out.notes);
   }
   return out;
 }

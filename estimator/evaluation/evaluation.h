@@ -9,6 +9,7 @@
 #include "estimator/evaluation/drive_torque.h"
 #include "estimator/evaluation/score.h"
 #include "estimator/filter/online_stiffness.h"
+#include "estimator/filter/state_estimator.h"
 #include "estimator/model/model.h"
 #include "estimator/signals.h"
 
@@ -20,6 +21,9 @@ struct EvaluationOptions {
   DriveTerms drive = DriveTerms::model;
   bool exactly_as_the_paper =
       false;  ///< gamma, alpha and beta as printed, for a module of any size
+  std::optional<double> loop_gain_a_per_rad = {};       ///< for DriveTerms::loop; otherwise fitted
+  std::vector<EstimatorKind> estimators = {};           ///< to compare, besides the online estimate
+  std::vector<std::string> states = {"spring.linear"};  ///< of these, see SpringStates
 };
 
 /// The least-squares line of measured torque on deflection: what no online method knows.
@@ -44,6 +48,14 @@ struct OnlineResult {
   std::vector<OnlineEstimate> track;  ///< the estimate at every telemetry sample
 };
 
+/// One of the estimators that were asked for.
+struct EstimatorResult {
+  EstimatorKind kind;
+  Score score;                             ///< of phi'x, with the x of that moment
+  std::vector<StateParameter> parameters;  ///< the last
+  std::string why_no_interval;             ///< empty where each parameter has its 95 % interval
+};
+
 struct CurrentResult {
   double gain_nm_per_a;  ///< efficiency * torque constant
   double offset_nm;      ///< where the gain was fitted, of the load cell; else 0
@@ -55,9 +67,10 @@ struct Evaluation {
   std::optional<BestFit> best_fit;
   std::optional<OnlineResult> online;
   std::optional<CurrentResult> current;
-  std::string drive_from;          ///< what the drive torque was made of
-  bool drive_independent = false;  ///< of the load cell
-  std::vector<std::string> notes;  ///< what was switched off and why; one sentence each
+  std::vector<EstimatorResult> estimators;  ///< in the order of the options
+  std::string drive_from;                   ///< what the drive torque was made of
+  bool drive_independent = false;           ///< of the load cell
+  std::vector<std::string> notes;           ///< what was switched off and why; one sentence each
 };
 
 /// All errors are taken at the load cell's own samples, of those that the module's telemetry

@@ -35,7 +35,11 @@ class LinearEstimator final : public StateEstimator {
     if (!started_) start(s->dt_s);
     const ScoreBlock<n> sums = s->sums();
     predict(filter_, sums);
-    if (s->weight > 0) filter_.update(s->phi, s->T, R_ / s->weight);
+    if (s->weight > 0) {
+      const double e = s->T - s->phi.dot(filter_.x);
+      white_ += (s->weight * e * e - white_) * std::min(1.0, s->dt_s / white_s);
+      filter_.update(s->phi, s->T, R_ / s->weight);
+    }
     if (blocks_.add(sums)) learn_noise();
   }
 
@@ -51,7 +55,8 @@ class LinearEstimator final : public StateEstimator {
     for (int i = 0; i < n; ++i) {
       if (!noise_[i].is_known()) return std::nullopt;
       out.dof[i] = noise_[i].dof() / (power[i] * power[i]);
-      scale[i] = scale_.unit()[i] * std::pow(noise_[i].value() / R_, power[i] / 2);
+      scale[i] =
+          scale_.unit()[i] * std::pow(std::max(noise_[i].value(), white_) / R_, power[i] / 2);
     }
     out.covariance = scale.asDiagonal() * filter_.P * scale.asDiagonal();
     return out;
@@ -61,11 +66,13 @@ class LinearEstimator final : public StateEstimator {
   using Vector = Eigen::Vector<double, n>;
   using Matrix = Eigen::Matrix<double, n, n>;
 
+  static constexpr double white_s = 5;
   static constexpr double longest_run_again_s = 1;  // the spring must not change much within one
 
   void start(double dt_s) {
     // Until it is known: a tenth of the torque, for 50 ms in the same direction.
     R_ = 0.01 * std::max(1.0, 0.05 / dt_s);
+    white_ = 0.01;
     filter_ = prior();
     started_ = true;
   }
@@ -156,6 +163,8 @@ class LinearEstimator final : public StateEstimator {
     return v;
   }
 
+  // Where the spring wanders less than Q has it, the blocks say that there is no noise at all, and
+  // the filter would follow every sample: R is never below the variance from sample to sample.
   // After a long rest there may be nothing to learn from: then what was known stays.
   void learn_R(const LongRunVariances<n>& noise) {
     double sum = 0, dof = 0;
@@ -165,7 +174,7 @@ class LinearEstimator final : public StateEstimator {
       dof += one.dof();
     }
     noise_ = noise;
-    R_ = sum / dof;
+    R_ = std::max(sum / dof, white_);
   }
 
   StateOptions options_;
@@ -175,6 +184,7 @@ class LinearEstimator final : public StateEstimator {
   ScoreBlocks<n> blocks_;
   LongRunVariances<n> noise_;
   double R_ = 0;
+  double white_ = 0;  // mean of w e^2 over the last seconds
   bool started_ = false;
 };
 

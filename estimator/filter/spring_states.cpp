@@ -81,6 +81,17 @@ SpringState state_of(const std::string& text, const Model* model) {
 
 }  // namespace
 
+// Cornish and Fisher's series about the normal quantile z (M. Abramowitz, I. Stegun, 26.7.5);
+// within 0.5 % from 3 degrees of freedom on.
+double student_95(double dof) {
+  const double z = 1.959963984540054, z2 = z * z;
+  const double g1 = z * (z2 + 1) / 4;
+  const double g2 = z * ((5 * z2 + 16) * z2 + 3) / 96;
+  const double g3 = z * (((3 * z2 + 19) * z2 + 17) * z2 - 15) / 384;
+  const double g4 = z * ((((79 * z2 + 776) * z2 + 1482) * z2 - 1920) * z2 - 945) / 92160;
+  return z + (g1 + (g2 + (g3 + g4 / dof) / dof) / dof) / dof;
+}
+
 SpringStates::SpringStates(const std::vector<std::string>& names, const Model* model) {
   if (names.size() > most_states) {
     throw std::invalid_argument("at most " + std::to_string(most_states) +

@@ -23,12 +23,17 @@ struct SpringState {
   bool softening = false;     ///< see SpringStates
 };
 
+/// Half the width of the 95 % interval of a Student distribution, in standard deviations.
+double student_95(double dof);
+
 /// A parameter as the model file names it, with what is known of it.
 struct StateParameter {
   std::string effect, name;
   double value;
   double sd = 0;   ///< standard deviation, from the covariance handed in
   double dof = 0;  ///< degrees of freedom behind it
+
+  double half_width_95() const { return student_95(dof) * sd; }
 };
 
 /// The states of a filter in their order. An effect that is linear in its parameter is a state as

@@ -78,7 +78,4 @@ class StateEstimator {
 std::unique_ptr<StateEstimator> make_state_estimator(EstimatorKind kind, const SpringStates& states,
                                                      const StateOptions& options);
 
-/// Half the width of the 95 % interval of a Student distribution, in standard deviations.
-double student_95(double dof);
-
 }  // namespace searig::estimator

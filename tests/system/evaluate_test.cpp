@@ -67,6 +67,33 @@ TEST(EvaluateCommand, AnswersWithThePapersTable) {
   }
 }
 
+TEST(EvaluateCommand, ComparesEstimatorsOfTheStatesThatAreNamed) {
+  const TemporaryFolder folder;
+  write_recording(folder.path() / "spring", 40);
+  const std::string recording = (folder.path() / "spring").string();
+  const auto json = folder.path() / "answer.json";
+  const Ran ran = evaluate(recording + " --initial-k 80 --estimator all --states " +
+                           "spring.linear,spring.cubic --json " + json.string());
+  EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+  const auto answer = read_json(json);
+  const auto& estimators = answer.at("recordings").at(0).at("estimators");
+  ASSERT_EQ(estimators.size(), 4u);
+  for (const auto& estimator : estimators) {
+    const bool interval =
+        estimator.at("estimator") == "linear" || estimator.at("estimator") == "rls";
+    const auto& k = estimator.at("parameters").at(0);
+    EXPECT_EQ(k.at("name"), "k_nm_per_rad");
+    EXPECT_EQ(k.at("ci95").is_array(), interval) << estimator;
+    EXPECT_EQ(estimator.contains("why_no_ci95"), !interval) << estimator;
+  }
+  EXPECT_EQ(evaluate(recording + " --states spring.wobble").exit_code, 2);
+  EXPECT_EQ(evaluate(recording + " --estimator best").exit_code, 2);
+  const Ran lacking =
+      evaluate(recording + " --estimator rls --states spring.linear,spring.relaxation");
+  EXPECT_EQ(lacking.exit_code, 1);
+  EXPECT_NE(lacking.err.find("tau_s"), std::string::npos) << lacking.err;
+}
+
 TEST(EvaluateCommand, ReportsABadRecordingAndDoesTheRest) {
   const TemporaryFolder folder;
   write_recording(folder.path() / "good", 40);

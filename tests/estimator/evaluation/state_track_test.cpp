@@ -16,6 +16,23 @@ TEST(StateTrack, IntervalsHoldTheTruthInMostOf24Seeds) {
   }
 }
 
+// A spring that stands still, hardly any noise, and a filter that expects it to wander: the blocks
+// say that there is less than no noise, and still the filter must not follow every sample.
+TEST(StateTrack, LinearIsNotMisledByASpringThatStandsStill) {
+  const Springs springs{.states = {"spring.linear"}, .white = 0.003, .coloured = 0.003};
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const SimulatedSpring spring = SpringSimulation(springs, seed).run();
+    const StateTrack track =
+        track_states(spring.module, spring.drive_nm, EstimatorKind::linear,
+                     SpringStates(springs.states), {.initial_k_nm_per_rad = 100});
+    const double k = spring.truth.at("k_nm_per_rad");
+    const StateParameter& found = track.parameters[0];
+    EXPECT_NEAR(found.value, k, std::max(0.002 * k, 1.5 * found.half_width_95())) << seed;
+    EXPECT_GT(found.half_width_95(), 0.0005 * k) << seed;
+    EXPECT_LT(found.half_width_95(), 0.02 * k) << seed;
+  }
+}
+
 // White noise is what an interval is usually made for; noise that hangs together is what there is.
 // The same noise power makes the interval several times wider, and it should.
 TEST(StateTrack, IntervalsAreWiderWhereNoiseHangsTogether) {
