@@ -36,11 +36,11 @@ SteppedRig::Device SteppedRig::make(StreamId id, SimulatedDevice device) const {
 SteppedRig::SteppedRig(const std::filesystem::path& file, const std::string& program,
                        const DeviceOptions& options)
     : options_(options),
+      module_(make(StreamId::module, start_module(options, true, 0.0))),
+      loadcell_(make(StreamId::loadcell, start_board(options, true, 0.0))),
       file_(file),
       out_([this](std::string_view bytes) { file_.append(bytes); }, program,
            acquisition::unix_now_s()),
-      module_(make(StreamId::module, start_module(options, true, 0.0))),
-      loadcell_(make(StreamId::loadcell, start_board(options, true, 0.0))),
       twin_({}, options.seed),
       model_(believed_model(twin_.parameters())),
       signals_(twin_.parameters().lever.arm_m),
@@ -53,6 +53,8 @@ SteppedRig::SteppedRig(const std::filesystem::path& file, const std::string& pro
   settings_.loadcell.source = "sim:" + loadcell_.source->name();
   settings_.loadcell.baud = loadcell_.source->baud();
   entries_.push_back(acquisition::NewSettings{0.0, settings_});
+  follow();
+  out_.file().end_chunk();  // so that the file says from the beginning whose it is
 }
 
 void SteppedRig::run_until(double seconds) {

@@ -55,10 +55,10 @@ class SteppedRig {
   double now_s() const { return 1e-6 * static_cast<double>(now_us_); }
 
   DeviceOptions options_;
+  Device module_, loadcell_;  // before the file, so that none is made where they cannot be
   acquisition::OutputFile file_;
   acquisition::mcap::RecordingWriter out_;
   acquisition::mcap::Settings settings_;
-  Device module_, loadcell_;
   std::vector<acquisition::Entry> entries_;
   std::vector<acquisition::Arrival> arrivals_;
   acquisition::RollingClock clock_;

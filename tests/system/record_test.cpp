@@ -62,6 +62,21 @@ TEST(Record, SaysWhereItMayNotWriteOrWhatIsNoSource) {
   EXPECT_FALSE(fs::exists("/tmp/never.mcap"));
 }
 
+TEST(Record, SaysWhatTheSimulatedRigLacks) {
+  const TemporaryFolder folder;
+  const std::string alone = (folder.path() / "searig").string();  // nothing beside it
+  fs::copy_file(std::string(SEARIG_BINARY_DIR) + "/searig", alone);
+  const std::string out = (folder.path() / "a.mcap").string();
+  const Ran ran = run_program("searig", "sh -c '" + alone +
+                                            " record --loadcell sim: --module sim: " + "--out " +
+                                            out + " --seconds 1' ");
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_NE(ran.err.find("avr-gcc, the Arduino core for AVR and simavr"), std::string::npos)
+      << ran.err;
+  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+  EXPECT_FALSE(fs::exists(out));
+}
+
 void expect_kept(const Ran& ran, const fs::path& file, const char* why) {
   EXPECT_EQ(ran.exit_code, 1);
   EXPECT_NE(ran.err.find(why), std::string::npos) << ran.err;
