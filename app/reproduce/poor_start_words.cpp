@@ -67,7 +67,7 @@ Words stiffness_words(const Reproduction& all, const Window& poor) {
       "Then the estimate goes to and fro: when the trust weight has summed to 5 s it is within "
       "5 % of the best fit in " +
           std::to_string(t.close) + " of " + std::to_string(t.reached) +
-          " trials (why, is said below)."};
+          " trials (why: see what was asked for)."};
 }
 
 }  // namespace searig::app::reproduce

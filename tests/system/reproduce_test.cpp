@@ -66,7 +66,8 @@ TEST_F(Reproduce, LeavesEveryFigureAsPngAndCsv) {
 TEST_F(Reproduce, ThePageStandsAlone) {
   const std::string page = text_of(out("reproduction.html"));
   for (const char* words : {"<!DOCTYPE html>", "In the paper", "On the twin", "Figure 11",
-                            "Every number of the twin", "chosen", "Heuristic Weight"}) {
+                            ">chosen: ", "paper, section III<", "Every number of the twin",
+                            "chosen", "Heuristic Weight"}) {
     EXPECT_NE(page.find(words), std::string::npos) << words;
   }
   for (const char* outside : {"src=", "href=", "@import", "nan", "inf "}) {
