@@ -8,36 +8,12 @@
 #include "acquisition/clock/align_velocity.h"
 #include "acquisition/clock/device_track.h"
 #include "acquisition/clock/doubt.h"
+#include "acquisition/clock/run_maps.h"
 
 namespace searig::acquisition {
 namespace {
 
 constexpr double kHiddenLatency = 0.004;  // s, the most an undeclared fixed latency is taken to be
-constexpr double kPiece = 10.0;           // s, of a clock that runs unevenly
-
-/// device time -> host time -> module time, as one line over the run.
-RunMap through_host(const DeviceTrack& device, const DeviceTrack& module) {
-  const double at = device.line.delay.at;
-  const double rate = device.line.rate() / module.line.rate();
-  return {device.run.first, device.run.last, rate, module.device(device.host(at)) - rate * at};
-}
-
-/// The same piece by piece, each as straight as a clock is over a few seconds.
-std::vector<RunMap> through_host(const std::vector<double>& t_s, const DeviceTrack& device,
-                                 const DeviceTrack& module) {
-  if (!device.bent() && !module.bent()) return {through_host(device, module)};
-  std::vector<RunMap> pieces;
-  for (std::size_t first = device.run.first; first < device.run.last;) {
-    std::size_t last = first + 1;
-    while (last < device.run.last && t_s[last] < t_s[first] + kPiece) ++last;
-    const double from = t_s[first], to = from + kPiece;
-    const double module_s = module.device(device.host(from));
-    const double rate = (module.device(device.host(to)) - module_s) / (to - from);
-    pieces.push_back({first, last, rate, module_s - rate * from});
-    first = last;
-  }
-  return pieces;
-}
 
 /// How far the fixed latencies may be off that pings do not show, together.
 double hidden_s(const Recording& recording, const DeviceTrack& module,
@@ -83,10 +59,6 @@ std::string evidence(const DeviceTrack& module, double module_ci_s, const Device
 /// The device time in the middle of a run.
 double middle_of(const Stream& stream, const Run& run) {
   return 0.5 * (stream.t_s[run.first] + stream.t_s[run.last - 1]);
-}
-
-RunMap as_it_is(const Run& run) {
-  return {run.first, run.last, 1.0, 0.0};
 }
 
 /// Both streams on one clock. A restart without host stamps leaves only one run to use: how long
