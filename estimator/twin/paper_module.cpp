@@ -44,7 +44,7 @@ std::vector<Fact> drive_facts(const DriveParameters& drive) {
           {"torque constant at the output", with_unit(drive.torque_constant_nm_per_a, "N·m/A"), "",
            "7.4 mN·m/A at the motor, a small brushless one"},
           {"largest current", with_unit(drive.current_limit_a, "A"), "",
-           "with the losses 7 N·m at the output: figure 1 says over 6 N·m"},
+           "with the losses 7.7 N·m at the output: figure 1 says over 6 N·m"},
           {"inertia at the output", with_unit(drive.inertia_kg_m2, "kg·m²"), "",
            "a rotor of 1e-7 kg·m² times 349²"},
           {"dry friction of the idle train", with_unit(drive.coulomb_nm, "N·m"), "",
