@@ -96,7 +96,7 @@ void Decoder::wait_or_begin(const Frame& frame, std::vector<Message>& messages) 
       waiting_->header.sequence == frame.header.sequence) {
     ++counters_.doubled;
   } else if (waiting_ && go_together(*waiting_, frame)) {
-    begin_run(*waiting_, messages);
+    begin_run(*waiting_, goes_on_after_pause(*waiting_) && goes_on_after_pause(frame), messages);
     hand_on(*waiting_, messages);
     waiting_.reset();
     hand_on(frame, messages);
@@ -106,9 +106,8 @@ void Decoder::wait_or_begin(const Frame& frame, std::vector<Message>& messages) 
   }
 }
 
-void Decoder::begin_run(const Frame& frame, std::vector<Message>& messages) {
+void Decoder::begin_run(const Frame& frame, bool paused, std::vector<Message>& messages) {
   const bool from_start = running_ && !after_gap_;  // we were there when the device restarted
-  const bool paused = goes_on_after_pause(frame);
   if (running_) {
     ++run_;
     ++(paused ? counters_.pauses : counters_.restarts);

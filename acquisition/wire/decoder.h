@@ -65,7 +65,7 @@ class Decoder {
   bool follows(const Frame& frame) const;
   bool goes_on_after_pause(const Frame& frame) const;
   void wait_or_begin(const Frame& frame, std::vector<Message>& messages);
-  void begin_run(const Frame& frame, std::vector<Message>& messages);
+  void begin_run(const Frame& frame, bool paused, std::vector<Message>& messages);
   void hand_on(const Frame& frame, std::vector<Message>& messages);
   void count_place(const Frame& frame);
   void count_content(const Message& message);

@@ -153,6 +153,24 @@ TEST(Decoder, TellsAPauseFromARestart) {
   }
 }
 
+/// The second frame must go on too: of another type, it may be far behind.
+TEST(Decoder, TakesNoPauseForWhatOnlyOneTypeSays) {
+  Sender sender;
+  Decoder decoder;
+  std::vector<Message> messages;
+  for (int i = 0; i < 300; ++i) {
+    decoder.push(sender.loadcell(5'000'000 + i * kStep, i), 10.0 + 0.02 * i, messages);
+    decoder.push(sender.module(5'000'000 + i * kStep, i), 10.0 + 0.02 * i, messages);
+  }
+  decoder.gap();
+  const std::uint32_t later_us = 5'000'000 + 300 * kStep;
+  decoder.push(sender.loadcell(later_us, 1), 500.0, messages);
+  sender.sequences[wire::Type::module_sample] = 3;
+  decoder.push(sender.module(later_us + kStep, 1), 500.02, messages);
+  EXPECT_EQ(decoder.counters().pauses, 0u);
+  EXPECT_EQ(decoder.counters().restarts, 1u);
+}
+
 TEST(Decoder, TakesAnotherDeviceBehindAGapForARestartEvenWithTheSameBoot) {
   Sender one, other;
   const auto first = loadcell_frames(one, 50, 80'000'000);
