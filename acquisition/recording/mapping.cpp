@@ -1,75 +1,14 @@
 #include "acquisition/recording/mapping.h"
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <cmath>
 
 #include "acquisition/error.h"
-#include "acquisition/recording/text_file.h"
+#include "acquisition/recording/toml_section.h"
 #include "acquisition/recording/units.h"
 
 namespace searig::acquisition {
 namespace {
-
-/// One table of recording.toml, its place in the file and what to say of a wrong key in it.
-class Section {
- public:
-  Section(const std::filesystem::path& file, std::string name, const toml::table& table)
-      : file_(file), name_(std::move(name)), table_(table) {}
-
-  const toml::table& table() const { return table_; }
-  const std::filesystem::path& file() const { return file_; }
-  const std::string& name() const { return name_; }
-
-  [[noreturn]] void refuse(const toml::node* node, const std::string& what) const {
-    const auto line = (node ? node->source() : table_.source()).begin.line;
-    throw InputError(file_.string() + ", line " + std::to_string(line ? line : 1) + ": " + what +
-                     ".");
-  }
-
-  std::string key(std::string_view of) const { return name_ + "." + std::string(of); }
-
-  std::optional<double> number(std::string_view of) const {
-    const toml::node* node = table_.get(of);
-    if (!node) return std::nullopt;
-    const auto value = node->value<double>();
-    if (!value || !std::isfinite(*value)) refuse(node, key(of) + " must be a finite number");
-    return value;
-  }
-
-  std::optional<double> positive(std::string_view of) const {
-    const auto value = number(of);
-    if (value && *value <= 0.0) refuse(table_.get(of), key(of) + " must be positive");
-    return value;
-  }
-
-  std::optional<double> nonzero(std::string_view of) const {
-    const auto value = number(of);
-    if (value && *value == 0.0) refuse(table_.get(of), key(of) + " must not be zero");
-    return value;
-  }
-
-  std::optional<std::string> text(std::string_view of) const {
-    const toml::node* node = table_.get(of);
-    if (!node) return std::nullopt;
-    const auto value = node->value_exact<std::string>();
-    if (!value) refuse(node, key(of) + " must be a text");
-    return value;
-  }
-
-  Section section(std::string_view of) const {
-    const toml::node* node = table_.get(of);
-    const std::string path = name_.empty() ? std::string(of) : key(of);
-    if (!node) refuse(node, "the section [" + path + "] is missing");
-    if (!node->is_table()) refuse(node, path + " must be a table, not a value");
-    return {file_, path, *node->as_table()};
-  }
-
- private:
-  std::filesystem::path file_;
-  std::string name_;
-  const toml::table& table_;
-};
 
 ColumnMapping column_mapping(const Section& columns, std::string_view channel) {
   if (const toml::node* plain = columns.table().get(channel); !plain->is_table())
@@ -151,17 +90,6 @@ std::vector<DeviceMapping> device_mappings(const Section& root) {
   return devices;
 }
 
-toml::table parse(const std::filesystem::path& file) {
-  const std::string text = read_text_file(file);
-  try {
-    return toml::parse(text, file.string());
-  } catch (const toml::parse_error& error) {
-    throw InputError(file.string() + ", line " + std::to_string(error.source().begin.line) +
-                     ", column " + std::to_string(error.source().begin.column) + ": " +
-                     std::string(error.description()) + ".");
-  }
-}
-
 }  // namespace
 
 std::string missing_channel(const StreamMapping& stream,
@@ -190,7 +118,7 @@ std::string missing_channel(const StreamMapping& stream,
 }
 
 RecordingMapping read_mapping(const std::filesystem::path& toml_file) {
-  const toml::table table = parse(toml_file);
+  const toml::table table = parse_toml(toml_file);
   const Section root(toml_file, "", table);
   const auto format = table["format"].value<std::string>();
   if (format != "searig-recording/1")
