@@ -159,7 +159,7 @@ void add_evaluate(CLI::App& app) {
   command->add_option("--jobs", options->jobs, "Recordings at the same time (0: one per core)");
   command->add_option("--json", options->json, "Write the answer for machines (- for stdout)");
   command->footer(
-      "Examples:\n  searig evaluate recordings/* --initial-k 500 --json evaluation.json\n"
+      "Example:\n  searig evaluate recordings/* --initial-k 500 --json evaluation.json\n"
       "  searig evaluate RECORDING --estimator all --states spring.linear,spring.viscous");
   command->callback([options] { run(*options); });
 }

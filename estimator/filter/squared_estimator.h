@@ -59,7 +59,7 @@ class SquaredEstimator final : public StateEstimator {
   void step(const StateSample& sample) override {
     const auto s = scale_.take(sample);
     if (!s) return;
-    if (!filter_) start();
+    if (!filter_ || is_too_unsure()) start();
     mean_dt_ += (s->dt_s - mean_dt_) / ++steps_;
     const double step = mean_dt_ / paper_size.step_s;
     const double R = options_.paper.beta * std::pow(scale_.torque() / torque_unit(), 4) / step;
@@ -83,11 +83,23 @@ class SquaredEstimator final : public StateEstimator {
   static constexpr double torque_unit() { return paper_size.torque_nm; }
   static constexpr double relative_sd = 0.2;  // as OnlineOptions has it, at the start and at most
 
+  // P at the start is made for the sizes known then; those of theta^3 and the like may still change
+  // a thousandfold. A squared error takes next to nothing out of a P that is too large.
+  bool is_too_unsure() const {
+    for (int i = 0; i < n; ++i) {
+      if (filter_->P()(i, i) > 2 * std::pow(relative_sd * scale_.size(i), 2)) return true;
+    }
+    return false;
+  }
+
   void start() {
     Vector x = Vector::Zero();
     Matrix P = Matrix::Zero();
     x[k_] = options_.initial_k_nm_per_rad / scale_.unit()[k_];
-    for (int i = 0; i < n; ++i) P(i, i) = std::pow(relative_sd * scale_.size(i), 2);
+    if (filter_) x = filter_->x();
+    for (int i = 0; i < n; ++i) {
+      P(i, i) = std::pow(relative_sd * scale_.size(i), 2);
+    }
     filter_.emplace(Squares<n>{{x, P}});
   }
 

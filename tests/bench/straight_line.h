@@ -35,8 +35,8 @@ struct StraightLine1 {
   }
 };
 
-/// The scaled simplex of n = 2 and 3: w0 = 0, spread 1e-3, beta 2.
-constexpr double spread = 1e-3, spread2 = spread * spread;
+/// The scaled simplex of n = 2 and 3: w0 = 0, spread 1e-5, beta 2.
+constexpr double spread = 1e-5, spread2 = spread * spread;
 
 struct StraightLine2 {
   double x0 = 50, x1 = 10, P00 = 100, P10 = 0, P11 = 100;
