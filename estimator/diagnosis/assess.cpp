@@ -26,7 +26,7 @@ bool both_agree(const Bench& bench, const Hypothesis& final, std::size_t piece, 
   const Seen seen = seen_by(final);
   Eigen::MatrixXd loadcell_only = bench.columns(p, seen.delay_s, seen.lag_s);
   loadcell_only.bottomRows(loadcell_only.rows() - e.loadcell_rows()).setZero();
-  const double split = Projection(fit.columns, bench.right()).gain(loadcell_only).sse;
+  const double split = Projection(fit.free_columns, fit.free_right).gain(loadcell_only).sse;
   return split < std::max(40.0, 0.25 * gain);
 }
 

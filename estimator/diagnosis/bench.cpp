@@ -192,15 +192,39 @@ void Bench::set_noise(Whitening whitening) {
   nuisance_ = (*whitening_)(raw_nuisance_);
 }
 
-void Bench::take_noise_of(const Whitening& other) {
+void Bench::take_noise_of(const Bench& other) {
   if (raw_nuisance_.size() == 0) raw_nuisance_ = nuisances();
-  set_noise(Whitening(experiment_, other.loadcell(), other.drive()));
+  gain_ = other.gain_;
+  set_noise(Whitening(experiment_, other.whitening().loadcell(), other.whitening().drive()));
+}
+
+namespace {
+
+/// The hypothesis's motor; its size where it has none.
+std::size_t motor_of(const Hypothesis& hypothesis) {
+  const auto at = std::ranges::find_if(
+      hypothesis, [](const Piece& p) { return p.effect && p.effect->name() == "drive.motor"; });
+  return std::size_t(at - hypothesis.begin());
+}
+
+}  // namespace
+
+/// 0 = drive - spring holds at any scale, zero included, and cleaners that explain the load cell by
+/// themselves would let go of it. The motor keeps its gain: its column moves to the right side.
+void Bench::hold_scale(const Hypothesis& hypothesis, const std::vector<Eigen::Index>& first,
+                       Eigen::Index own, Eigen::MatrixXd& columns, Eigen::VectorXd& right) {
+  const std::size_t motor = motor_of(hypothesis);
+  if (!experiment_.has_spring() || motor == hypothesis.size()) return;
+  gain_ = whitening_ ? fit(hypothesis).amplitudes(motor)[0]
+                     : solve(columns.leftCols(own), right).coefficients[first[motor]];
+  right -= gain_ * columns.col(first[motor]);
+  columns.col(first[motor]).setZero();
 }
 
 void Bench::learn_noise(const Hypothesis& hypothesis, const std::vector<Piece>& cleaners) {
   if (raw_nuisance_.size() == 0) raw_nuisance_ = nuisances();
-  Fit ignored;
-  const Eigen::MatrixXd own = assemble(hypothesis, ignored, false);
+  Fit layout;
+  const Eigen::MatrixXd own = assemble(hypothesis, layout, false);
   Eigen::Index total = own.cols();
   for (const auto& piece : cleaners) total += raw_columns(piece, 0.0, 0.0).cols();
   Eigen::MatrixXd all(total_rows(), total);
@@ -215,6 +239,7 @@ void Bench::learn_noise(const Hypothesis& hypothesis, const std::vector<Piece>& 
   right.head(experiment_.rows()) = experiment_.measured;
   for (Eigen::Index i = 0; i < experiment_.rows(); ++i)
     if (!experiment_.usable[std::size_t(i)]) all.row(i).setZero(), right[i] = 0.0;
+  hold_scale(hypothesis, layout.first, own.cols(), all, right);
   Eigen::VectorXd norm = all.colwise().norm();
   norm = (norm.array() > 0).select(norm, 1.0);
   all *= norm.cwiseInverse().asDiagonal();
@@ -256,10 +281,28 @@ Eigen::MatrixXd Bench::assemble(const Hypothesis& hypothesis, Fit& fit, bool whi
   return out;
 }
 
+Eigen::MatrixXd Bench::whitened(const Hypothesis& hypothesis) const {
+  Fit ignored;
+  return assemble(hypothesis, ignored, true);
+}
+
+/// Solves for the free columns, and leaves them linearised.
+Solution Bench::solve_scaled(const Hypothesis& hypothesis, Fit& fit) const {
+  const std::size_t motor = motor_of(hypothesis);
+  if (gain_ <= 0.0 || motor == hypothesis.size()) return solve(fit.free_columns, fit.free_right);
+  const Experiment& e = experiment_;
+  Solution out = solve(fit.free_columns, fit.free_right,
+                       {fit.first[motor], e.loadcell_rows(), e.drive_rows(), gain_});
+  const double gain = out.coefficients[fit.first[motor]];
+  if (gain > 0.0) fit.amperes = gain_ / gain;
+  return out;
+}
+
 Fit Bench::unbounded_fit(const Hypothesis& hypothesis) const {
   Fit out;
-  out.columns = assemble(hypothesis, out, true);
-  out.solution = solve(out.columns, right());
+  out.columns = out.free_columns = assemble(hypothesis, out, true);
+  out.free_right = right();
+  out.solution = solve_scaled(hypothesis, out);
   return out;
 }
 
@@ -267,23 +310,24 @@ Fit Bench::fit(const Hypothesis& hypothesis) const {
   Fit out;
   out.columns = assemble(hypothesis, out, true);
   Eigen::VectorXd fixed = Eigen::VectorXd::Zero(out.columns.cols());
-  out.free_columns = out.columns;
-  out.free_right = right();
   // Nuisances may not go further than what is known of them: at a bound they stay there, and what
   // they would have taken is left for physics to explain.
-  for (int round = 0; round < 3; ++round) {
-    out.solution = solve(out.free_columns, out.free_right);
-    bool held = false;
+  for (bool held = true; held;) {
+    out.free_columns = out.columns;
+    for (Eigen::Index i = 0; i < fixed.size(); ++i)
+      if (fixed[i] != 0.0) out.free_columns.col(i).setZero();
+    out.free_right = right() - out.columns * fixed;
+    out.solution = solve_scaled(hypothesis, out);
+    held = false;
     for (Eigen::Index i = out.columns.cols() - prior_count; i < out.columns.cols(); ++i) {
       if (fixed[i] != 0.0 || std::abs(out.solution.coefficients[i]) <= nuisance_bound) continue;
       fixed[i] = std::copysign(nuisance_bound, out.solution.coefficients[i]);
-      out.free_right -= out.columns.col(i) * fixed[i];
-      out.free_columns.col(i).setZero();
       held = true;
     }
-    if (!held) break;
   }
   out.solution.coefficients += fixed;
+  const Eigen::Index held_none = out.columns.cols() - prior_count;
+  out.columns.leftCols(held_none) = out.free_columns.leftCols(held_none);
   return out;
 }
 

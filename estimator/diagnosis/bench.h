@@ -40,9 +40,10 @@ using Hypothesis = std::vector<Piece>;
 
 struct Fit {
   Solution solution;
-  Eigen::MatrixXd columns;          ///< whitened: pieces in order, then nuisances
+  Eigen::MatrixXd columns;  ///< whitened: pieces in order, then nuisances; linearised (FreeScale)
   Eigen::MatrixXd free_columns;     ///< the same without nuisances that are at their bound
   Eigen::VectorXd free_right;       ///< what is left for the free columns to explain
+  double amperes = 1.0;             ///< drive rows times this count in units of the current's noise
   std::vector<Eigen::Index> first;  ///< first column of each piece; tied pieces point to theirs
   std::vector<Eigen::Index> count;
 
@@ -67,11 +68,13 @@ class Bench {
   void learn_noise(const Hypothesis& hypothesis, const std::vector<Piece>& cleaners);
   void set_noise(Whitening whitening);
   /// Noise as another bench learnt it, at the same rates.
-  void take_noise_of(const Whitening& other);
+  void take_noise_of(const Bench& other);
   /// The torque that delay, lag and load friction act on: the hypothesis's own.
   void learn_torque(const Hypothesis& hypothesis);
 
   Fit fit(const Hypothesis& hypothesis) const;
+  /// The columns of a fit alone.
+  Eigen::MatrixXd whitened(const Hypothesis& hypothesis) const;
   /// The same with nothing but their priors to hold the nuisances.
   Fit unbounded_fit(const Hypothesis& hypothesis) const;
   /// Residual before whitening, in N*m, prior rows included.
@@ -101,10 +104,14 @@ class Bench {
   Eigen::MatrixXd nuisances() const;
   Eigen::MatrixXd adapting_stiffness() const;
   Eigen::MatrixXd assemble(const Hypothesis& hypothesis, Fit& fit, bool whitened) const;
+  void hold_scale(const Hypothesis& hypothesis, const std::vector<Eigen::Index>& first,
+                  Eigen::Index own, Eigen::MatrixXd& columns, Eigen::VectorXd& right);
+  Solution solve_scaled(const Hypothesis& hypothesis, Fit& fit) const;
 
   Experiment experiment_;
   Method method_;
   std::optional<Whitening> whitening_;
+  double gain_ = 0.0;  // of the motor when the noise was learnt, N*m per A; 0 where it has none
   Eigen::VectorXd torque_;  // on the motion's samples, as the load cell would see it undisturbed
   Eigen::MatrixXd raw_nuisance_, nuisance_;
   mutable std::map<std::string, Eigen::MatrixXd> raw_cache_, cache_;

@@ -109,8 +109,8 @@ Located locate(const Bench& bench, const Hypothesis& without, const Hypothesis& 
 std::vector<Cell> map_of(const Bench& bench, const std::vector<Atom>& dense,
                          const Hypothesis& before, const Hypothesis& after) {
   const Fit fits[2] = {bench.fit(before), bench.fit(after)};
-  const Projection projections[2] = {{fits[0].columns, bench.right()},
-                                     {fits[1].columns, bench.right()}};
+  const Projection projections[2] = {{fits[0].free_columns, fits[0].free_right},
+                                     {fits[1].free_columns, fits[1].free_right}};
   std::vector<Cell> out;
   for (const auto& atom : dense) {
     const Eigen::MatrixXd column = bench.screening_columns({nullptr, {}, &atom});

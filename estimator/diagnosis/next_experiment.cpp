@@ -90,7 +90,7 @@ Rehearsal::Rehearsal(const Bench& bench, const Hypothesis& truth, const Model& e
   if (!e.has_spring() || !extended.has("spring.linear")) return;  // nothing to prescribe
   for (const PlannedMotion& motion : motion_library(e.motion)) {
     Bench stage(prepare(rehearse(motion, extended, e), e.motion.smoothing_rad_s));
-    stage.take_noise_of(bench.whitening());
+    stage.take_noise_of(bench);
     stage.learn_torque(shown_by(stage.experiment().motion, truth));
     stages_.push_back({motion, std::move(stage)});
   }

@@ -42,8 +42,8 @@ Eigen::MatrixXd jacobian(const Bench& bench, const Hypothesis& hypothesis, const
   out.leftCols(fit.columns.cols()) = fit.columns;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double h = step_of(hypothesis[places[i].piece].shape[places[i].value]);
-    const Eigen::MatrixXd up = bench.fit(nudged(hypothesis, places[i], h)).columns;
-    const Eigen::MatrixXd down = bench.fit(nudged(hypothesis, places[i], -h)).columns;
+    const Eigen::MatrixXd up = bench.whitened(nudged(hypothesis, places[i], h));
+    const Eigen::MatrixXd down = bench.whitened(nudged(hypothesis, places[i], -h));
     out.col(fit.columns.cols() + Eigen::Index(i)) =
         (up - down) * fit.solution.coefficients / (2.0 * h);
   }

@@ -24,19 +24,82 @@ Eigen::LDLT<Eigen::MatrixXd> factors(const Eigen::MatrixXd& scaled) {
 
 }  // namespace
 
-Solution solve(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right) {
-  const Eigen::VectorXd scale = inverse_norms(columns);
-  const Eigen::MatrixXd scaled = columns * scale.asDiagonal();
+namespace {
+
+struct Normal {
+  Solution solution;
+  Eigen::MatrixXd inverse;  // of the scaled normal equations
+  Eigen::VectorXd scale;
+};
+
+Normal solve_normal(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right) {
+  Normal out;
+  out.scale = inverse_norms(columns);
+  const Eigen::MatrixXd scaled = columns * out.scale.asDiagonal();
   const auto normal = factors(scaled);
   Eigen::VectorXd x = normal.solve(scaled.transpose() * right);
   x += normal.solve(scaled.transpose() * (right - scaled * x));  // gives back the digits
-  Solution out;
-  out.coefficients = scale.cwiseProduct(x);
-  out.residual = right - columns * out.coefficients;
+  out.solution.coefficients = out.scale.cwiseProduct(x);
+  out.solution.residual = right - columns * out.solution.coefficients;
+  out.solution.sse = out.solution.residual.squaredNorm();
+  out.inverse = normal.solve(Eigen::MatrixXd::Identity(columns.cols(), columns.cols()));
+  out.solution.sd = out.scale.cwiseProduct(out.inverse.diagonal().cwiseMax(0.0).cwiseSqrt());
+  return out;
+}
+
+/// The minimum of a function with one, by golden sections.
+template <class F>
+double least(const F& f, double low, double high) {
+  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  double a = high - golden * (high - low), b = low + golden * (high - low);
+  double fa = f(a), fb = f(b);
+  while (high - low > 1e-9) {
+    if (fa < fb) {
+      high = b, b = a, fb = fa, a = high - golden * (high - low), fa = f(a);
+    } else {
+      low = a, a = b, fa = fb, b = low + golden * (high - low), fb = f(b);
+    }
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+Solution solve(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right) {
+  return solve_normal(columns, right).solution;
+}
+
+Solution solve(Eigen::MatrixXd& columns, Eigen::VectorXd& right, const FreeScale& s) {
+  Normal normal = solve_normal(columns, right);
+  Solution& out = normal.solution;
+  const double shrunk = out.coefficients[s.column];
+  // Setting the gradient to zero moves the solution along the inverse's column of g.
+  const Eigen::VectorXd direction =
+      normal.scale.cwiseProduct(normal.inverse.col(s.column)) * normal.scale[s.column];
+  if (shrunk <= 0.0 || direction[s.column] <= 0.0) return out;
+  const Eigen::VectorXd change = columns * direction;
+  const auto own = [&](const Eigen::VectorXd& x) { return x.segment(s.first_row, s.rows); };
+  const auto dot = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    return std::pair{a.dot(b) - own(a).dot(own(b)), own(a).dot(own(b))};
+  };
+  const auto [o0, d0] = dot(out.residual, out.residual);
+  const auto [o1, d1] = dot(out.residual, change);
+  const auto [o2, d2] = dot(change, change);
+  const auto along = [&](double log_growth) {  // how far for g to grow by so much
+    return shrunk * std::expm1(log_growth) / direction[s.column];
+  };
+  const auto cost = [&](double log_growth) {
+    const double x = along(log_growth), relative = s.reference / (shrunk * std::exp(log_growth));
+    return o0 - 2.0 * x * o1 + x * x * o2 + relative * relative * (d0 - 2.0 * x * d1 + x * x * d2);
+  };
+  constexpr double furthest = 4.6;  // a hundredfold
+  const double x = along(least(cost, 0.0, furthest));
+  out.coefficients += x * direction;
+  out.residual -= x * change;
   out.sse = out.residual.squaredNorm();
-  const Eigen::MatrixXd inverse =
-      normal.solve(Eigen::MatrixXd::Identity(columns.cols(), columns.cols()));
-  out.sd = scale.cwiseProduct(inverse.diagonal().cwiseMax(0.0).cwiseSqrt());
+  const Eigen::VectorXd left = own(out.residual);
+  columns.col(s.column).segment(s.first_row, s.rows) += left / out.coefficients[s.column];
+  right.segment(s.first_row, s.rows) += left;
   return out;
 }
 

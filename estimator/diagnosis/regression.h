@@ -16,6 +16,21 @@ struct Solution {
 /// Scaled normal equations with one step of refinement; a column of zeros gets the coefficient 0.
 Solution solve(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right);
 
+/// Rows that read 0 = column*g - the rest. They hold at any scale, zero included, so least squares
+/// shrinks everything by what their errors weigh; but the errors are those of the column, and count
+/// relative to g.
+struct FreeScale {
+  Eigen::Index column, first_row, rows;
+  double reference;  ///< the g for which the rows are whitened
+};
+
+/// Minimises |other rows|^2 + (reference/g)^2 |those rows|^2 along the direction in which all scale
+/// together. On return columns and right side are linearised about the solution: there the
+/// measured column is replaced by what the rest makes of it, so that ordinary least squares on them
+/// gives the same answer. (The gradient of a functional relation with errors in one variable; W.
+/// Fuller, Measurement Error Models, 1987.) `sd` is that of ordinary least squares.
+Solution solve(Eigen::MatrixXd& columns, Eigen::VectorXd& right, const FreeScale& scale);
+
 /// A fixed set of columns that candidates are held against.
 class Projection {
  public:

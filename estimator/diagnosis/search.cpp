@@ -27,15 +27,6 @@ double price(const Bench& bench, const Hypothesis& hypothesis) {
   return sum;
 }
 
-/// Motor gain of a fit, N*m per A; 1 where the drive rows do not share it with the spring.
-double motor_gain(const Bench& bench, const Hypothesis& hypothesis, const Fit& fit) {
-  if (!bench.experiment().has_spring()) return 1.0;
-  for (std::size_t i = 0; i < hypothesis.size(); ++i)
-    if (hypothesis[i].effect && hypothesis[i].effect->name() == "drive.motor")
-      return std::max(1e-9, std::abs(fit.amplitudes(i)[0]));
-  return 1.0;
-}
-
 /// Beyond four standard deviations a residual counts only linearly (P. Huber, 1964).
 double huber(double e) {
   return std::abs(e) < 4.0 ? e * e : 8.0 * std::abs(e) - 16.0;
@@ -60,22 +51,20 @@ Search::Search(Bench& bench, const std::vector<Atom>& dense, const std::vector<A
 
 void Search::learn_noise(const Hypothesis& hypothesis) {
   bench_.learn_noise(hypothesis, cleaners_);
-  gain_ = motor_gain(bench_, hypothesis, bench_.fit(hypothesis));
 }
 
 Scored Search::score(Hypothesis hypothesis) {
   hypothesis = polish(bench_, hypothesis);
   const Fit fit = bench_.fit(hypothesis);
-  return {hypothesis, deviance(hypothesis, fit), price(bench_, hypothesis)};
+  return {hypothesis, deviance(fit), price(bench_, hypothesis)};
 }
 
-double Search::deviance(const Hypothesis& hypothesis, const Fit& fit) const {
+double Search::deviance(const Fit& fit) const {
   const Eigen::VectorXd& residual = fit.solution.residual;
   const Eigen::Index rows = bench_.experiment().rows(), split = bench_.whitening().split();
-  const double amperes = gain_ / motor_gain(bench_, hypothesis, fit);
   double out = fit.solution.coefficients.tail(Bench::prior_count).squaredNorm();
   for (Eigen::Index i = 0; i < rows; ++i)
-    out += huber(i < split ? residual[i] : residual[i] * amperes);
+    out += huber(i < split ? residual[i] : residual[i] * fit.amperes);
   return out;
 }
 

@@ -79,8 +79,7 @@ class Search {
   const Criteria& criteria() const { return criteria_; }
 
  private:
-  double deviance(const Hypothesis& hypothesis, const Fit& fit) const;
-  double gain_ = 0.0;  // of the motor, N*m per A, when the noise was learnt
+  double deviance(const Fit& fit) const;
   Piece extended(const Hypothesis& from, const Effect& effect, std::vector<double> shape) const;
   struct Ranked {
     Piece piece;

@@ -53,12 +53,13 @@ std::string percent(double share) {
 
 /// Squared correlation of what two effects add beyond the fixed columns.
 double correlation(const Projection& projection, const Visible& a, const Visible& b,
-                   const Eigen::MatrixXd& fixed, const Eigen::VectorXd& right) {
+                   const Fit& fit) {
   const double alone = projection.gain(a.columns).independence * a.columns.norm();
   if (!(alone > 0)) return 1.0;
-  Eigen::MatrixXd both(fixed.rows(), fixed.cols() + b.columns.cols());
-  both << fixed, b.columns;
-  const double beside = Projection(both, right).gain(a.columns).independence * a.columns.norm();
+  Eigen::MatrixXd both(fit.free_columns.rows(), fit.free_columns.cols() + b.columns.cols());
+  both << fit.free_columns, b.columns;
+  const double beside =
+      Projection(both, fit.free_right).gain(a.columns).independence * a.columns.norm();
   return 1.0 - std::pow(beside / alone, 2);
 }
 
@@ -66,8 +67,7 @@ double correlation(const Projection& projection, const Visible& a, const Visible
 
 std::vector<Undecidable> undecidable(const Bench& bench, const Hypothesis& hypothesis) {
   const Fit fit = bench.fit(hypothesis);
-  const Eigen::VectorXd right = bench.right();
-  const Projection projection(fit.columns, right);
+  const Projection projection(fit.free_columns, fit.free_right);
   const auto all = candidates(bench, hypothesis, projection);
   std::vector<Undecidable> out;
   std::vector<const Visible*> visible;
@@ -84,7 +84,7 @@ std::vector<Undecidable> undecidable(const Bench& bench, const Hypothesis& hypot
   for (std::size_t i = 0; i < visible.size(); ++i)
     for (std::size_t j = i + 1; j < visible.size(); ++j)
       if (visible[i]->effect->path() == visible[j]->effect->path() &&
-          correlation(projection, *visible[i], *visible[j], fit.columns, right) > alike)
+          correlation(projection, *visible[i], *visible[j], fit) > alike)
         out.push_back({{visible[i]->effect->name(), visible[j]->effect->name()},
                        "under this motion they look alike once the numbers are refitted",
                        visible[i]->effect->about().separated_by});
