@@ -291,11 +291,8 @@ Solution Bench::solve_scaled(const Hypothesis& hypothesis, Fit& fit) const {
   const std::size_t motor = motor_of(hypothesis);
   if (gain_ <= 0.0 || motor == hypothesis.size()) return solve(fit.free_columns, fit.free_right);
   const Experiment& e = experiment_;
-  Solution out = solve(fit.free_columns, fit.free_right,
-                       {fit.first[motor], e.loadcell_rows(), e.drive_rows(), gain_});
-  const double gain = out.coefficients[fit.first[motor]];
-  if (gain > 0.0) fit.amperes = gain_ / gain;
-  return out;
+  return solve(fit.free_columns, fit.free_right,
+               {fit.first[motor], e.loadcell_rows(), e.drive_rows(), gain_});
 }
 
 Fit Bench::unbounded_fit(const Hypothesis& hypothesis) const {

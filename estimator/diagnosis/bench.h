@@ -43,7 +43,6 @@ struct Fit {
   Eigen::MatrixXd columns;  ///< whitened: pieces in order, then nuisances; linearised (FreeScale)
   Eigen::MatrixXd free_columns;     ///< the same without nuisances that are at their bound
   Eigen::VectorXd free_right;       ///< what is left for the free columns to explain
-  double amperes = 1.0;             ///< drive rows times this count in units of the current's noise
   std::vector<Eigen::Index> first;  ///< first column of each piece; tied pieces point to theirs
   std::vector<Eigen::Index> count;
 

@@ -40,11 +40,8 @@ struct Residual {
 
   bool operator()(double const* const* x, double* out) const {
     const Fit fit = bench.fit(moved(start, places, x[0]));
-    Eigen::Map<Eigen::VectorXd> residual(out, fit.solution.residual.size());
-    residual = fit.solution.residual;
-    const Experiment& e = bench.experiment();
-    residual.segment(e.loadcell_rows(), e.drive_rows()) *= fit.amperes;
-    return residual.allFinite();
+    Eigen::Map<Eigen::VectorXd>(out, fit.solution.residual.size()) = fit.solution.residual;
+    return fit.solution.residual.allFinite();
   }
 };
 

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace searig::estimator {
 namespace {
@@ -15,39 +16,65 @@ Eigen::VectorXd inverse_norms(const Eigen::MatrixXd& columns) {
 
 /// Cholesky factors of the scaled normal equations; a trace of ridge carries columns that others
 /// span, and columns of zeros get a one on the diagonal.
-Eigen::LDLT<Eigen::MatrixXd> factors(const Eigen::MatrixXd& scaled) {
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(scaled.cols(), scaled.cols());
-  normal.selfadjointView<Eigen::Lower>().rankUpdate(scaled.transpose());
+Eigen::LDLT<Eigen::MatrixXd> factors(Eigen::MatrixXd normal) {
   for (double& d : normal.diagonal()) d = d > 0 ? d + 1e-11 : 1.0;
-  return Eigen::LDLT<Eigen::MatrixXd>(normal.selfadjointView<Eigen::Lower>());
+  return Eigen::LDLT<Eigen::MatrixXd>(normal);
+}
+
+Eigen::MatrixXd product(const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
+  out.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
+  return out.selfadjointView<Eigen::Lower>();
+}
+
+Eigen::VectorXd deviations(const Eigen::LDLT<Eigen::MatrixXd>& normal) {
+  const Eigen::MatrixXd inverse =
+      normal.solve(Eigen::MatrixXd::Identity(normal.rows(), normal.rows()));
+  return inverse.diagonal().cwiseMax(0.0).cwiseSqrt();
 }
 
 }  // namespace
 
-namespace {
-
-struct Normal {
-  Solution solution;
-  Eigen::MatrixXd inverse;  // of the scaled normal equations
-  Eigen::VectorXd scale;
-};
-
-Normal solve_normal(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right) {
-  Normal out;
-  out.scale = inverse_norms(columns);
-  const Eigen::MatrixXd scaled = columns * out.scale.asDiagonal();
-  const auto normal = factors(scaled);
+Solution solve(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right) {
+  const Eigen::VectorXd scale = inverse_norms(columns);
+  const Eigen::MatrixXd scaled = columns * scale.asDiagonal();
+  const auto normal = factors(product(scaled));
   Eigen::VectorXd x = normal.solve(scaled.transpose() * right);
   x += normal.solve(scaled.transpose() * (right - scaled * x));  // gives back the digits
-  out.solution.coefficients = out.scale.cwiseProduct(x);
-  out.solution.residual = right - columns * out.solution.coefficients;
-  out.solution.sse = out.solution.residual.squaredNorm();
-  out.inverse = normal.solve(Eigen::MatrixXd::Identity(columns.cols(), columns.cols()));
-  out.solution.sd = out.scale.cwiseProduct(out.inverse.diagonal().cwiseMax(0.0).cwiseSqrt());
+  Solution out;
+  out.coefficients = scale.cwiseProduct(x);
+  out.residual = right - columns * out.coefficients;
+  out.sse = out.residual.squaredNorm();
+  out.sd = scale.cwiseProduct(deviations(normal));
   return out;
 }
 
-/// The minimum of a function with one, by golden sections.
+namespace {
+
+/// Normal equations of some rows.
+struct Share {
+  Eigen::MatrixXd normal;
+  Eigen::VectorXd moment;
+  double square;
+
+  Share(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right)
+      : normal(product(columns)),
+        moment(columns.transpose() * right),
+        square(right.squaredNorm()) {}
+
+  /// Sum of squares at x + along*direction, as a polynomial in `along`.
+  Eigen::Vector3d squares(const Eigen::VectorXd& x, const Eigen::VectorXd& direction) const {
+    const Eigen::VectorXd slope = moment - normal * x;
+    return {square - x.dot(moment) - x.dot(slope), -2.0 * direction.dot(slope),
+            direction.dot(normal * direction)};
+  }
+};
+
+double at(const Eigen::Vector3d& polynomial, double x) {
+  return polynomial[0] + x * (polynomial[1] + x * polynomial[2]);
+}
+
+/// Where a function with one minimum has it, by golden sections.
 template <class F>
 double least(const F& f, double low, double high) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
@@ -65,41 +92,53 @@ double least(const F& f, double low, double high) {
 
 }  // namespace
 
-Solution solve(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right) {
-  return solve_normal(columns, right).solution;
-}
-
 Solution solve(Eigen::MatrixXd& columns, Eigen::VectorXd& right, const FreeScale& s) {
-  Normal normal = solve_normal(columns, right);
-  Solution& out = normal.solution;
-  const double shrunk = out.coefficients[s.column];
-  // Setting the gradient to zero moves the solution along the inverse's column of g.
-  const Eigen::VectorXd direction =
-      normal.scale.cwiseProduct(normal.inverse.col(s.column)) * normal.scale[s.column];
-  if (shrunk <= 0.0 || direction[s.column] <= 0.0) return out;
-  const Eigen::VectorXd change = columns * direction;
-  const auto own = [&](const Eigen::VectorXd& x) { return x.segment(s.first_row, s.rows); };
-  const auto dot = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    return std::pair{a.dot(b) - own(a).dot(own(b)), own(a).dot(own(b))};
-  };
-  const auto [o0, d0] = dot(out.residual, out.residual);
-  const auto [o1, d1] = dot(out.residual, change);
-  const auto [o2, d2] = dot(change, change);
-  const auto along = [&](double log_growth) {  // how far for g to grow by so much
-    return shrunk * std::expm1(log_growth) / direction[s.column];
-  };
-  const auto cost = [&](double log_growth) {
-    const double x = along(log_growth), relative = s.reference / (shrunk * std::exp(log_growth));
-    return o0 - 2.0 * x * o1 + x * x * o2 + relative * relative * (d0 - 2.0 * x * d1 + x * x * d2);
-  };
-  constexpr double furthest = 4.6;  // a hundredfold
-  const double x = along(least(cost, 0.0, furthest));
-  out.coefficients += x * direction;
-  out.residual -= x * change;
+  const Eigen::VectorXd scale = inverse_norms(columns);
+  const Eigen::MatrixXd scaled = columns * scale.asDiagonal();
+  const Share own(scaled.middleRows(s.first_row, s.rows), right.segment(s.first_row, s.rows));
+  Share rest(scaled, right);
+  rest.normal -= own.normal, rest.moment -= own.moment, rest.square -= own.square;
+  const auto unit = Eigen::VectorXd::Unit(scaled.cols(), s.column);
+  constexpr double furthest = 4.6;  // a hundredfold, as a logarithm
+  double weight = 1.0;              // (reference/g)^2
+  Eigen::VectorXd x, deviation;
+  for (int round = 0; round < 20; ++round) {
+    const auto normal = factors(rest.normal + weight * own.normal);
+    x = normal.solve(rest.moment + weight * own.moment);
+    deviation = deviations(normal);
+    const double shrunk = x[s.column] * scale[s.column];
+    if (shrunk <= 0.0) break;
+    // At the minimum the gradient is that of 1/g^2 alone, so it lies from here in this direction.
+    const Eigen::VectorXd direction = normal.solve(unit);
+    const auto others = rest.squares(x, direction), those = own.squares(x, direction);
+    const auto along = [&](double log_growth) {
+      return x[s.column] * std::expm1(log_growth) / direction[s.column];
+    };
+    const auto relative = [&](double log_growth) {
+      return std::pow(s.reference / (shrunk * std::exp(log_growth)), 2);
+    };
+    const double best = least(
+        [&](double growth) {
+          return at(others, along(growth)) + relative(growth) * at(those, along(growth));
+        },
+        0.0, furthest);
+    x += along(best) * direction;
+    const double before = std::exchange(weight, relative(best));
+    if (std::abs(weight - before) < 1e-7 * weight) break;
+  }
+  Solution out;
+  out.coefficients = scale.cwiseProduct(x);
+  out.sd = scale.cwiseProduct(deviation);
+  const double g = out.coefficients[s.column];
+  auto those = columns.middleRows(s.first_row, s.rows);
+  those *= std::sqrt(weight), right.segment(s.first_row, s.rows) *= std::sqrt(weight);
+  out.residual = right - columns * out.coefficients;
+  if (g > 0.0) {
+    const Eigen::VectorXd left = out.residual.segment(s.first_row, s.rows);
+    those.col(s.column) += left / g;
+    right.segment(s.first_row, s.rows) += left;
+  }
   out.sse = out.residual.squaredNorm();
-  const Eigen::VectorXd left = own(out.residual);
-  columns.col(s.column).segment(s.first_row, s.rows) += left / out.coefficients[s.column];
-  right.segment(s.first_row, s.rows) += left;
   return out;
 }
 

@@ -24,11 +24,11 @@ struct FreeScale {
   double reference;  ///< the g for which the rows are whitened
 };
 
-/// Minimises |other rows|^2 + (reference/g)^2 |those rows|^2 along the direction in which all scale
-/// together. On return columns and right side are linearised about the solution: there the
-/// measured column is replaced by what the rest makes of it, so that ordinary least squares on them
-/// gives the same answer. (The gradient of a functional relation with errors in one variable; W.
-/// Fuller, Measurement Error Models, 1987.) `sd` is that of ordinary least squares.
+/// Minimises |other rows|^2 + (reference/g)^2 |those rows|^2. On return columns and right side are
+/// linearised about the solution: those rows carry reference/g, and in them the measured column is
+/// replaced by what the rest makes of it, so that ordinary least squares gives the same answer.
+/// (A functional relation with errors in one variable; W. Fuller, Measurement Error Models, 1987.)
+/// `sd` is that of the linearised problem but for these errors.
 Solution solve(Eigen::MatrixXd& columns, Eigen::VectorXd& right, const FreeScale& scale);
 
 /// A fixed set of columns that candidates are held against.

@@ -43,6 +43,7 @@ Search::Search(Bench& bench, const std::vector<Atom>& dense, const std::vector<A
     if (atom.channel != "time_s") cleaners_.push_back({nullptr, {}, &atom});
   for (const Effect* effect : catalogue()) {
     if (!effect->applies(bench.experiment().motion)) continue;
+    if (effect->name() == "drive.motor") continue;  // its gain is held (Bench::learn_noise)
     const auto grid = effect->shape_grid(bench.experiment().motion);
     if (grid.size() > 20) continue;  // a wave at every frequency would take the noise along
     for (const auto& shape : grid) cleaners_.push_back({effect, shape, nullptr});
@@ -60,11 +61,8 @@ Scored Search::score(Hypothesis hypothesis) {
 }
 
 double Search::deviance(const Fit& fit) const {
-  const Eigen::VectorXd& residual = fit.solution.residual;
-  const Eigen::Index rows = bench_.experiment().rows(), split = bench_.whitening().split();
   double out = fit.solution.coefficients.tail(Bench::prior_count).squaredNorm();
-  for (Eigen::Index i = 0; i < rows; ++i)
-    out += huber(i < split ? residual[i] : residual[i] * fit.amperes);
+  for (const double e : fit.solution.residual.head(bench_.experiment().rows())) out += huber(e);
   return out;
 }
 
