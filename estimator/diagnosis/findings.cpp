@@ -159,14 +159,14 @@ bool asserts(const Diagnosis& out, const std::string& effect) {
 }
 
 /// The model that is handed on holds what is asserted. What was taken back must not leave its mark
-/// on the numbers of what stays: they are fitted anew without it.
-void settle_numbers(const Bench& bench, const Hypothesis& final, const Model& given,
-                    Diagnosis& out) {
+/// on the numbers of what stays: they are fitted anew without it. Returns what was kept.
+Hypothesis settle_numbers(const Bench& bench, const Hypothesis& final, const Model& given,
+                          Diagnosis& out) {
   Hypothesis kept = final;
   const auto taken_back = [&](const Piece& p) {
     return p.effect && !given.has(p.effect->name()) && !asserts(out, p.effect->name());
   };
-  if (std::erase_if(kept, taken_back) == 0) return;
+  if (std::erase_if(kept, taken_back) == 0) return kept;
   kept = polish(bench, std::move(kept));
   const Fit fit = bench.fit(kept);
   out.extended = model_of(bench, kept, fit, fit.solution.coefficients, given);
@@ -176,11 +176,12 @@ void settle_numbers(const Bench& bench, const Hypothesis& final, const Model& gi
     for (ParameterEstimate& p : f.parameters)
       for (const auto& now : parameters)
         if (now.effect == p.effect && now.name == p.name) p = now;
+  return kept;
 }
 
 }  // namespace
 
-double state_findings(const Bench& bench, const Account& account, const PathResiduals& after,
+Stated state_findings(const Bench& bench, const Account& account, const PathResiduals& after,
                       const Model& given, std::size_t atoms, Diagnosis& out) {
   const Hypothesis& final = account.final.hypothesis;
   const Fit fit = bench.fit(final);
@@ -190,18 +191,20 @@ double state_findings(const Bench& bench, const Account& account, const PathResi
   for (const auto& a : account.assessments)
     out.findings.push_back(finding(bench, account, after, a, parameters, out));
   propose(bench, account, out);
-  std::ranges::stable_sort(out.findings, std::greater{}, &Finding::probability);
   out.unexplained = nameless(bench, final, after, atoms, out);
   for (const auto look : {wanders, blows, loud_while})
     if (!out.unexplained && bench.method().looks_for_nameless) out.unexplained = look(bench, final);
   doubt_beside_unexplained(out);
   if (bench.method().looks_for_nameless) withdraw_contradicted(account, out);
-  const double zero_nm = settle_offsets(bench, final, fit, out);
+  Stated stated;
+  stated.zero_nm = settle_offsets(bench, final, fit, out);
   merge_late(out);
   leave_to_the_clock(bench, out);
-  settle_numbers(bench, final, given, out);
+  std::ranges::stable_sort(out.findings, std::greater{}, &Finding::probability);
+  stated.asserted = settle_numbers(bench, final, given, out);
+  std::erase_if(stated.asserted, [](const Piece& p) { return p.atom != nullptr; });
   for (auto& u : undecidable(bench, final)) out.undecidable.push_back(std::move(u));
-  return zero_nm;
+  return stated;
 }
 
 }  // namespace searig::estimator

@@ -7,10 +7,14 @@
 
 namespace searig::estimator {
 
+struct Stated {
+  double zero_nm = 0.0;  ///< the load cell's, where it is one
+  Hypothesis asserted;   ///< the final one without what has no name and what was taken back
+};
+
 /// Fills findings, unexplained, undecidable, numbers and the extended model. `after` is what the
-/// final hypothesis leaves on held-out blocks; `out` has its path errors already. Returns the load
-/// cell's zero in N*m where it is one, else 0.
-double state_findings(const Bench& bench, const Account& account, const PathResiduals& after,
+/// final hypothesis leaves on held-out blocks; `out` has its path errors already.
+Stated state_findings(const Bench& bench, const Account& account, const PathResiduals& after,
                       const Model& given, std::size_t atoms, Diagnosis& out);
 
 }  // namespace searig::estimator

@@ -51,6 +51,13 @@ std::string percent(double share) {
   return text;
 }
 
+std::string why_not_seen(const Visible& c) {
+  const std::string taken = ": the fitted terms and the clocks take up the rest";
+  if (c.least_share > 1.0) return "under this motion it cannot be seen, however large" + taken;
+  return "under this motion it would be asserted only above " + percent(c.least_share) +
+         " of the torque" + taken;
+}
+
 /// Squared correlation of what two effects add beyond the fixed columns.
 double correlation(const Projection& projection, const Visible& a, const Visible& b,
                    const Fit& fit) {
@@ -76,10 +83,7 @@ std::vector<Undecidable> undecidable(const Bench& bench, const Hypothesis& hypot
       visible.push_back(&c);
       continue;
     }
-    out.push_back({{c.effect->name()},
-                   "under this motion it would be asserted only above " + percent(c.least_share) +
-                       " of the torque: the fitted terms and the clocks take up the rest",
-                   c.effect->about().separated_by});
+    out.push_back({{c.effect->name()}, why_not_seen(c), c.effect->about().separated_by});
   }
   for (std::size_t i = 0; i < visible.size(); ++i)
     for (std::size_t j = i + 1; j < visible.size(); ++j)
