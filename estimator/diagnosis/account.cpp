@@ -12,6 +12,7 @@ namespace {
 
 constexpr int most_changes = 6;
 constexpr double tolerance = 0.003;        // of a held-out error: so much is chance
+constexpr double misleading = 0.05;        // of a held-out error: so much is not
 constexpr double price_of_joining = 20.0;  // in deviance: one place less to explain
 
 class Accountant {
@@ -127,7 +128,22 @@ class Accountant {
     search_.learn_noise(out_.final.hypothesis);
     out_.final = search_.score(out_.final.hypothesis);
     for (int changes = 0; changes < most_changes; ++changes)
-      if (!change_one()) return;
+      if (!change_one() && !drop_misleading_atom()) return;
+  }
+
+  /// What has no name and a time of its own may live in one block alone, where no other predicts
+  /// it. Anything else must not predict blocks that no fit saw clearly worse than nothing does.
+  bool drop_misleading_atom() {
+    for (std::size_t i = 0; i < out_.final.hypothesis.size(); ++i) {
+      const Atom* atom = out_.final.hypothesis[i].atom;
+      if (!atom || atom->channel == "time_s") continue;
+      Hypothesis rest = out_.final.hypothesis;
+      rest.erase(rest.begin() + std::ptrdiff_t(i));
+      if (!predicts(rest, out_.final.hypothesis, -misleading)) continue;
+      out_.final = search_.score(rest);
+      return true;
+    }
+    return false;
   }
 
   bool change_one() {

@@ -21,6 +21,23 @@ double robust_sd(std::vector<double> x) {
 
 }  // namespace
 
+double slow_share(const Autoregression& noise, Eigen::Index rows) {
+  // With x = sum_j psi_j e_{t-j} the sum over n rows holds e_s times the psi that fall inside.
+  const Eigen::Index memory = 10 * rows;
+  Eigen::VectorXd psi = Eigen::VectorXd::Zero(rows + memory);
+  psi[0] = 1.0;
+  for (Eigen::Index j = 1; j < psi.size(); ++j)
+    for (Eigen::Index k = 1; k <= std::min(j, noise.phi.size()); ++k)
+      psi[j] += noise.phi[k - 1] * psi[j - k];
+  double sum = 0.0, within = 0.0;
+  for (Eigen::Index j = 0; j < psi.size(); ++j) {
+    within += psi[j] - (j >= rows ? psi[j - rows] : 0.0);
+    sum += within * within;
+  }
+  const double n = double(rows);
+  return std::min(1.0, sum / (n * n * psi.squaredNorm()));
+}
+
 Autoregression fit_autoregression(const Eigen::VectorXd& residual, const std::vector<bool>& usable,
                                   int order) {
   Eigen::VectorXd covariance = Eigen::VectorXd::Zero(order + 1);

@@ -14,6 +14,9 @@ struct Autoregression {
   double sd = 1.0;
 };
 
+/// Share of the noise's power that the means over so many rows keep: 1/rows where it is white.
+double slow_share(const Autoregression& noise, Eigen::Index rows);
+
 /// Yule-Walker on the residual's own neighbours; rows that are not usable take no part.
 Autoregression fit_autoregression(const Eigen::VectorXd& residual, const std::vector<bool>& usable,
                                   int order);

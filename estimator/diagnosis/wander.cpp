@@ -10,6 +10,8 @@
 namespace searig::estimator {
 namespace {
 
+constexpr double unlikely = 0.001;
+
 /// The usable part of the load cell's residual.
 struct Residual {
   std::vector<double> t, x;
@@ -84,9 +86,13 @@ std::optional<Unexplained> wanders(const Bench& bench, const Hypothesis& hypothe
   out.located.residuals = residuals_of(Path::rig);
   out.located.intervals_s = {{e.start_s, e.start_s + e.motion.t.back()}};
   out.located.share = residual.slow_power(8.0) / residual.power();
-  // Chernoff's bound for a mean of squares, were a fifth of the power that slow anyway.
-  const double x = out.located.share / 0.2, m = double(residual.means(8.0).size());
+  // Chernoff's bound for a mean of squares, were as much of the power that slow anyway as the
+  // noise's own memory makes it.
+  const double rows_in_block = 8.0 * double(residual.x.size()) / e.motion.t.back();
+  const double usual = slow_share(bench.whitening().loadcell(), Eigen::Index(rows_in_block));
+  const double x = out.located.share / usual, m = double(residual.means(8.0).size());
   out.p_value = x > 1.0 ? std::exp(-0.5 * m * (x - 1.0 - std::log(x))) : 1.0;
+  if (out.p_value > unlikely) return std::nullopt;
   out.what = zero_wanders;
   const double step_s = e.start_s + take_step_out(residual);
   if (!residual.is_slow()) {

@@ -120,5 +120,15 @@ TEST(Whitening, LeavesPriorRowsAlone) {
   EXPECT_EQ(whitening(x), x);
 }
 
+TEST(SlowShare, IsOneOverTheRowsWhereNoiseIsWhiteAndGrowsWithItsMemory) {
+  Autoregression noise{Eigen::VectorXd::Zero(5), 1.0};
+  EXPECT_NEAR(slow_share(noise, 50), 0.02, 1e-12);
+  // Of a first-order process: (1/n) (1 + 2 sum (1 - k/n) phi^k).
+  noise.phi[0] = 0.9;
+  double expected = 1.0;
+  for (int k = 1; k < 50; ++k) expected += 2.0 * (1.0 - k / 50.0) * std::pow(0.9, k);
+  EXPECT_NEAR(slow_share(noise, 50), expected / 50.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace searig::estimator
