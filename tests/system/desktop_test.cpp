@@ -76,10 +76,10 @@ TEST(Desktop, CurvesOfARecordingAreWhereTheDataAre) {
   const acquisition::TemporaryFolder folder;
   const std::string out = folder.path().string();
   ASSERT_EQ(run_program("searig demo --seconds 10 --headless --out " + out).exit_code, 0);
-  const Picture picture = picture_of(out + "/recording");
+  const Picture picture = picture_of(out + "/recording.mcap");
 
-  const auto session = app::open_session(out + "/recording");
-  const auto model = app::find_model(out + "/recording", std::nullopt);
+  const auto session = app::open_session(out + "/recording.mcap");
+  const auto model = app::find_model(out + "/recording.mcap", std::nullopt);
   const auto evaluation = estimator::evaluate(session.signals, &*model);
   const auto& track = evaluation.online->track;
   const double start_s = session.signals.module.t_s.front();

@@ -38,9 +38,15 @@ TEST(StreamFacts, MissingChannelsSayWhatTheySwitchOff) {
                                {"output_angle_rad", {0.0}},
                                {"input_velocity_rad_s", {0.0}},
                                {"winding_temperature_c", {0.0}}};
+  recording.loadcell.t_s = {0.0};
   const std::vector<std::string> sentences = switched_off(recording);
   ASSERT_EQ(sentences.size(), 1u);
   EXPECT_EQ(sentences[0], "no current_a: no torque from the motor current.");
+}
+
+TEST(StreamFacts, AModuleAloneSaysWhatItLacks) {
+  acquisition::Recording recording;
+  EXPECT_EQ(switched_off(recording).at(0), "no load cell: nothing to hold the module against.");
 }
 
 }  // namespace
