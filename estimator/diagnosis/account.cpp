@@ -1,7 +1,6 @@
 #include "estimator/diagnosis/account.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "estimator/diagnosis/heldout.h"
 #include "estimator/diagnosis/refine.h"
@@ -12,7 +11,6 @@ namespace {
 
 constexpr int most_changes = 6;
 constexpr double tolerance = 0.003;        // of a held-out error: so much is chance
-constexpr double misleading = 0.05;        // of a held-out error: so much is not
 constexpr double price_of_joining = 20.0;  // in deviance: one place less to explain
 
 class Accountant {
@@ -73,18 +71,9 @@ class Accountant {
     search_.learn_noise(beside.hypothesis);  // to compare them under one noise
     const bool fits_better =
         search_.score(rivals.hypothesis).cost() < search_.score(beside.hypothesis).cost();
-    out_.final = fits_better && predicts(rivals.hypothesis, beside.hypothesis) ? rivals : beside;
+    const bool predicts = worse_by(bench_, rivals.hypothesis, beside.hypothesis) <= tolerance;
+    out_.final = fits_better && predicts ? rivals : beside;
     refine_atoms();
-  }
-
-  /// Whether blocks that no fit saw are predicted no worse, all paths taken together.
-  bool predicts(const Hypothesis& one, const Hypothesis& other, double margin = tolerance) const {
-    const auto a = heldout_residuals(bench_, one), b = heldout_residuals(bench_, other);
-    double log_ratio = 0.0;
-    if (bench_.experiment().has_spring())
-      log_ratio += std::log(rms_of(a.spring) / rms_of(b.spring));
-    if (bench_.experiment().has_drive()) log_ratio += std::log(rms_of(a.drive) / rms_of(b.drive));
-    return log_ratio <= margin;
   }
 
   /// Atoms come from a coarse grid of places; what they tell is where.
@@ -131,15 +120,13 @@ class Accountant {
       if (!change_one() && !drop_misleading_atom()) return;
   }
 
-  /// What has no name and a time of its own may live in one block alone, where no other predicts
-  /// it. Anything else must not predict blocks that no fit saw clearly worse than nothing does.
   bool drop_misleading_atom() {
     for (std::size_t i = 0; i < out_.final.hypothesis.size(); ++i) {
       const Atom* atom = out_.final.hypothesis[i].atom;
-      if (!atom || atom->channel == "time_s") continue;
+      if (!atom) continue;
       Hypothesis rest = out_.final.hypothesis;
       rest.erase(rest.begin() + std::ptrdiff_t(i));
-      if (!predicts(rest, out_.final.hypothesis, -misleading)) continue;
+      if (!misleads(bench_, *atom, out_.final.hypothesis, rest)) continue;
       out_.final = search_.score(rest);
       return true;
     }
@@ -172,7 +159,7 @@ class Accountant {
   std::optional<Scored> stronger_alone(const Assessment& a) {
     Hypothesis named = out_.final.hypothesis;
     const auto is_atom = [](const Piece& p) { return p.atom != nullptr; };
-    if (std::erase_if(named, is_atom) == 0 || !predicts(named, a.without, -tolerance))
+    if (std::erase_if(named, is_atom) == 0 || worse_by(bench_, named, a.without) > -tolerance)
       return std::nullopt;
     return search_.score(named);
   }

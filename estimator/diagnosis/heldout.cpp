@@ -128,6 +128,20 @@ PathResiduals given_residuals(const Bench& bench, const Hypothesis& hypothesis,
   return out;
 }
 
+double worse_by(const Bench& bench, const Hypothesis& one, const Hypothesis& other) {
+  const auto a = heldout_residuals(bench, one), b = heldout_residuals(bench, other);
+  double log_ratio = 0.0;
+  if (bench.experiment().has_spring()) log_ratio += std::log(rms_of(a.spring) / rms_of(b.spring));
+  if (bench.experiment().has_drive()) log_ratio += std::log(rms_of(a.drive) / rms_of(b.drive));
+  return log_ratio;
+}
+
+bool misleads(const Bench& bench, const Atom& atom, const Hypothesis& with,
+              const Hypothesis& without) {
+  constexpr double clearly = 0.2;  // outliers of one block alone may cost a tenth
+  return atom.channel != "time_s" && worse_by(bench, with, without) >= clearly;
+}
+
 double rms_of(const Eigen::VectorXd& residual) {
   double sum = 0.0;
   Eigen::Index n = 0;

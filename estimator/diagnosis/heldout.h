@@ -18,6 +18,15 @@ PathResiduals heldout_residuals(const Bench& bench, const Hypothesis& hypothesis
 PathResiduals given_residuals(const Bench& bench, const Hypothesis& hypothesis,
                               const std::vector<Eigen::VectorXd>& amplitudes);
 
+/// Logarithm of how much larger the errors of one hypothesis are on blocks that no fit saw than
+/// those of the other, all paths taken together; negative where it predicts better.
+double worse_by(const Bench& bench, const Hypothesis& one, const Hypothesis& other);
+
+/// Whether a nameless term predicts unseen blocks clearly worse than nothing does. One with a time
+/// of its own may live in one block alone, where no other predicts it, and is let off.
+bool misleads(const Bench& bench, const Atom& atom, const Hypothesis& with,
+              const Hypothesis& without);
+
 /// Over the entries that are not NaN; negative where there is none.
 double rms_of(const Eigen::VectorXd& residual);
 
