@@ -6,7 +6,10 @@
 #include <iostream>
 #include <string>
 
+#include "app/desktop/layout_description.h"
+#include "app/desktop/live/live_page.h"
 #include "app/desktop/main_window.h"
+#include "app/desktop/qt_messages.h"
 #include "app/desktop/theme.h"
 
 namespace {
@@ -20,6 +23,7 @@ struct Options {
   bool offscreen = false;
   std::string screenshot;
   std::string layout;
+  std::string page;
   std::string theme = "system";
   int width = 1280, height = 800;
 };
@@ -38,22 +42,16 @@ void describe(CLI::App& app, Options& options) {
   auto* picture =
       app.add_option("--screenshot", options.screenshot, "Write a picture of the window and leave");
   app.add_flag("--offscreen", options.offscreen, "Draw without a display")->needs(picture);
-  app.add_option("--layout", options.layout, "With --screenshot: write where the plots are (JSON)")
+  app.add_option("--layout", options.layout,
+                 "With --screenshot: write where plots and words are (JSON)")
       ->needs(picture);
+  app.add_option("--page", options.page, "The page in front: live, replay or diagnose")
+      ->check(CLI::IsMember({"live", "replay", "diagnose"}));
   app.add_option("--theme", options.theme, "light, dark or system")
       ->check(CLI::IsMember({"light", "dark", "system"}));
   app.add_option("--width", options.width, "Of the window, in pixels")
       ->check(CLI::Range(640, 8000));
   app.add_option("--height", options.height)->check(CLI::Range(480, 8000));
-}
-
-/// Qt's offscreen platform complains of things that do not matter there.
-void drop_noise(QtMsgType, const QMessageLogContext&, const QString& message) {
-  if (message.contains(QLatin1String("propagateSizeHints")) ||
-      message.contains(QLatin1String("XDG_RUNTIME_DIR"))) {
-    return;
-  }
-  std::cerr << message.toStdString() << '\n';
 }
 
 int fail(const std::string& sentence) {
@@ -68,18 +66,17 @@ Theme theme_of(const Options& options) {
 int take_screenshot(MainWindow& window, const Options& options) {
   window.show();
   QApplication::processEvents();  // lays the window out at its size
-  if (!options.recording.empty()) {
-    if (!window.open(options.recording)) return fail(window.message().toStdString());
-  } else if (options.live) {
-    window.start_simulated(options.seconds);
-  }
+  if (!options.recording.empty() && !window.open_recording(options.recording))
+    return fail(window.page_in_front().message().toStdString());
+  if (options.live) window.live().start_simulated(options.seconds);
+  window.show_page(QString::fromStdString(options.page));
   QApplication::processEvents();
   if (!window.grab().save(QString::fromStdString(options.screenshot))) {
     return fail("The picture " + options.screenshot + " cannot be written.");
   }
   if (!options.layout.empty()) {
     std::ofstream out(options.layout);
-    out << window.describe_layout() << '\n';
+    out << describe_layout(window).dump(1) << '\n';
     if (!out.flush()) return fail("The file " + options.layout + " cannot be written.");
   }
   return 0;
@@ -119,7 +116,8 @@ int main(int argc, char** argv) {
   if (!options.screenshot.empty()) return take_screenshot(window, options);
 
   window.show();
-  if (!options.recording.empty()) window.open(options.recording);
-  if (options.live) window.start_simulated();
+  if (!options.recording.empty()) window.open_recording(options.recording);
+  if (options.live) window.live().start_simulated();
+  window.show_page(QString::fromStdString(options.page));
   return QApplication::exec();
 }

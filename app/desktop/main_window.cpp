@@ -1,158 +1,108 @@
 #include "app/desktop/main_window.h"
 
 #include <QAction>
-#include <QLabel>
-#include <QStatusBar>
-#include <QVBoxLayout>
-#include <algorithm>
-#include <cmath>
+#include <QApplication>
+#include <QFileDialog>
+#include <QMenuBar>
+#include <QTabBar>
+#include <QTabWidget>
 
-#include "app/desktop/readouts.h"
-#include "app/desktop/time_plot.h"
-#include "app/desktop/wording.h"
+#include "app/desktop/diagnose/diagnose_page.h"
+#include "app/desktop/live/live_page.h"
+#include "app/desktop/replay/replay_page.h"
 
 namespace searig::app::desktop {
-namespace {
 
-constexpr int frame_ms = 33;  // 30 frames per second
-enum Place : std::size_t { stiffness, error, weight, clocks, streams };
-
-}  // namespace
-
-MainWindow::MainWindow(const Theme& theme) : theme_(theme) {
-  setWindowTitle(QStringLiteral("searig"));
+MainWindow::MainWindow(const Theme& theme)
+    : theme_(theme),
+      tabs_(new QTabWidget(this)),
+      live_(new LivePage(*this)),
+      replay_(new ReplayPage(*this)),
+      diagnose_(new DiagnosePage(*this)) {
   resize(1280, 800);
-  readouts_ = new Readouts(this);
-  readouts_->add(QStringLiteral("spring stiffness"), true);
-  readouts_->add(QStringLiteral("torque error"));
-  readouts_->add(QStringLiteral("trust in motor current"));
-  readouts_->add(QStringLiteral("clocks"));
-  readouts_->add(QStringLiteral("rows"));
-  hint_ = new QLabel(this);
-  hint_->setContentsMargins(14, 0, 14, 8);
-  hint_->setWordWrap(true);
-  make_plots();
-
-  auto* middle = new QWidget(this);
-  auto* layout = new QVBoxLayout(middle);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(1);
-  layout->addWidget(readouts_);
-  layout->addWidget(hint_);
-  layout->addWidget(torque_plot_, 5);
-  layout->addWidget(weight_plot_, 3);
-  layout->addWidget(stiffness_plot_, 3);
-  setCentralWidget(middle);
-  status_ = new QLabel(this);
-  status_->setContentsMargins(12, 0, 0, 0);  // in line with the numbers above
-  statusBar()->addWidget(status_, 1);
-  statusBar()->setSizeGripEnabled(false);
-
+  tabs_->setDocumentMode(true);
+  tabs_->tabBar()->setFocusPolicy(Qt::NoFocus);  // the arrow keys are the page's
+  setCentralWidget(tabs_);
+  for (Page* page :
+       {static_cast<Page*>(live_), static_cast<Page*>(replay_), static_cast<Page*>(diagnose_)})
+    tabs_->addTab(page, page->name());
   make_actions();
   set_theme(theme);
-  for (auto* plot : {torque_plot_, weight_plot_, stiffness_plot_}) plot->show_range(view_);
-  timer_.setInterval(frame_ms);
-  connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
-  hint_->setText(
-      QStringLiteral("Start the simulated rig with Ctrl+R, or open a recording with Ctrl+O."));
+  connect(tabs_, &QTabWidget::currentChanged, this, [this] { turn_to_page(); });
+  turn_to_page();
 }
 
-MainWindow::~MainWindow() = default;
+void MainWindow::make_actions() {
+  QMenu* file = menuBar()->addMenu(QStringLiteral("&File"));
+  QAction* open = file->addAction(QStringLiteral("&Open recording…"));
+  open->setShortcut(QKeySequence::Open);
+  connect(open, &QAction::triggered, this, [this] { choose_recording(); });
+  file->addSeparator();
+  QAction* quit = file->addAction(QStringLiteral("&Quit"));
+  quit->setShortcut(QKeySequence::Quit);
+  connect(quit, &QAction::triggered, this, [this] { close(); });
 
-void MainWindow::make_plots() {
-  torque_plot_ = new TimePlot(QStringLiteral("Torque"), QStringLiteral("torque (N·m)"), this);
-  torque_plot_->add_curve(QStringLiteral("measured by the load cell"), Hue::ink);
-  torque_plot_->add_curve(QStringLiteral("estimated from the spring"), Hue::blue);
-  weight_plot_ = new TimePlot(QStringLiteral("Trust in the motor current"),
-                              QStringLiteral("weight (0 to 1)"), this);
-  weight_plot_->add_curve(QStringLiteral("weight"), Hue::purple);
-  weight_plot_->fix_y({-0.05, 1.05});
-  stiffness_plot_ =
-      new TimePlot(QStringLiteral("Spring stiffness"), QStringLiteral("k (N·m/rad)"), this);
-  stiffness_plot_->add_curve(QStringLiteral("online estimate"), Hue::green);
-}
-
-void MainWindow::start_simulated(double ahead_s) {
-  show_content(simulated_rig());
-  ahead_s_ = ahead_s;
-  // As many steps as a live view would have taken, so that both show the same.
-  for (double t = 0.0; t < ahead_s; t += 1e-3 * frame_ms) content_->run_until(t);
-  since_start_.start();
-  timer_.start();
-  tick();
-}
-
-bool MainWindow::open(const std::filesystem::path& folder) {
-  try {
-    show_content(open_recording(folder));
-  } catch (const std::exception& error) {
-    hint_->setText(QString::fromUtf8(error.what()));
-    hint_->show();
-    return false;
+  QMenu* view = menuBar()->addMenu(QStringLiteral("&View"));
+  for (int i = 0; i < tabs_->count(); ++i) {
+    QAction* turn = view->addAction(tabs_->tabText(i));
+    turn->setShortcut(QKeySequence(int(Qt::CTRL) | (int(Qt::Key_1) + i)));
+    connect(turn, &QAction::triggered, this, [this, i] { tabs_->setCurrentIndex(i); });
   }
-  show_all();
+  view->addSeparator();
+  QAction* dark = view->addAction(QStringLiteral("&Dark"));
+  dark->setShortcut(QKeySequence(int(Qt::CTRL) | Qt::Key_D));
+  dark->setCheckable(true);
+  dark->setChecked(theme_.dark());
+  connect(dark, &QAction::toggled, this, [this](bool on) {
+    Theme(on).apply(*qApp);
+    set_theme(Theme(on));
+  });
+}
+
+Page& MainWindow::page_in_front() const {
+  return *static_cast<Page*>(tabs_->currentWidget());
+}
+
+void MainWindow::show_page(const QString& name) {
+  for (int i = 0; i < tabs_->count(); ++i)
+    if (tabs_->tabText(i).toLower() == name) tabs_->setCurrentIndex(i);
+}
+
+/// Only the menu of the page in front is there: Qt heeds the keys of a menu that is hidden too, and
+/// the same key may serve several pages.
+void MainWindow::turn_to_page() {
+  for (int i = 0; i < tabs_->count(); ++i)
+    menuBar()->removeAction(static_cast<Page*>(tabs_->widget(i))->menu()->menuAction());
+  menuBar()->addMenu(page_in_front().menu());
+  caption_changed();
+}
+
+void MainWindow::caption_changed() {
+  const QString caption = page_in_front().caption();
+  setWindowTitle(caption.isEmpty() ? QStringLiteral("searig")
+                                   : caption + QStringLiteral(" – searig"));
+}
+
+bool MainWindow::open_recording(const std::filesystem::path& recording) {
+  tabs_->setCurrentWidget(replay_);
+  if (!replay_->open(recording)) return false;
+  diagnose_->choose(recording);
+  caption_changed();
   return true;
 }
 
-QString MainWindow::message() const {
-  return hint_->text();
-}
-
-void MainWindow::show_content(std::unique_ptr<Content> content) {
-  timer_.stop();
-  const History& history = content->history();
-  torque_plot_->set_data(0, &history.measured_t_s, &history.measured_nm);
-  torque_plot_->set_data(1, &history.t_s, &history.estimated_nm);
-  weight_plot_->set_data(0, &history.t_s, &history.weight);
-  stiffness_plot_->set_data(0, &history.t_s, &history.stiffness_nm_per_rad);
-  torque_plot_->rename_curve(1, QString::fromStdString(history.estimated_from));
-  const bool online = content->live() || !history.stiffness_nm_per_rad.empty();
-  weight_plot_->setVisible(online);
-  stiffness_plot_->setVisible(online);
-  content_ = std::move(content);  // the plots have let go of the old one's columns
-  pause_action_->setEnabled(content_->live());
-  pause_action_->setChecked(false);
-  hint_->setText(content_->remark());
-  hint_->setVisible(!content_->remark().isEmpty());
-  setWindowTitle(content_->name() + QStringLiteral(" – searig"));
-}
-
-void MainWindow::tick() {
-  content_->run_until(ahead_s_ + 1e-3 * static_cast<double>(since_start_.elapsed()));
-  if (pause_action_->isChecked()) return refresh_numbers();
-  const auto& t_s = content_->history().t_s;
-  shown_until_s_ = t_s.empty() ? 0.0 : t_s.back();
-  view_ = {shown_until_s_ - span_s_, shown_until_s_};
-  if (shown_until_s_ < span_s_) view_ = {0.0, span_s_};
-  refresh();
-}
-
-void MainWindow::refresh() {
-  if (!content_) return;
-  const auto& k = content_->history().stiffness_nm_per_rad;
-  // From zero to twice the latest value: a first guess ten times too high would flatten the rest.
-  if (!k.empty()) stiffness_plot_->fix_y({0.0, 2.0 * std::max(1e-6, k.back())});
-  for (auto* plot : {torque_plot_, weight_plot_, stiffness_plot_}) plot->show_range(view_);
-  refresh_numbers();
-}
-
-void MainWindow::refresh_numbers() {
-  const auto& history = content_->history();
-  const auto& recording = content_->recording();
-  readouts_->set(stiffness, stiffness_words(history), spread_words(history));
-  readouts_->set(error, error_words(history, content_->live()),
-                 content_->live() ? QStringLiteral("last 20 s") : QString());
-  readouts_->set(weight, weight_words(history));
-  readouts_->set(clocks, clock_words(recording, content_->clock()));
-  readouts_->set(streams, loss_words(recording));
-  status_->setText(status_words(recording, content_->clock()));
-  status_->setToolTip(QString::fromStdString(content_->clock().why));
+void MainWindow::choose_recording() {
+  const QString file = QFileDialog::getOpenFileName(
+      this, QStringLiteral("Open a recording"), {},
+      QStringLiteral("Recordings (*.mcap recording.toml *.hebilog);;All files (*)"));
+  if (file.isEmpty()) return;
+  const std::filesystem::path path = file.toStdString();
+  open_recording(path.filename() == "recording.toml" ? path.parent_path() : path);
 }
 
 void MainWindow::set_theme(const Theme& theme) {
   theme_ = theme;
-  for (auto* plot : {torque_plot_, weight_plot_, stiffness_plot_}) plot->set_theme(theme);
-  refresh();
+  for (int i = 0; i < tabs_->count(); ++i) static_cast<Page*>(tabs_->widget(i))->set_theme(theme);
 }
 
 }  // namespace searig::app::desktop

@@ -1,68 +1,44 @@
-// The first window: the paper's two live plots, the stiffness, and whether to trust the data.
+// The window: its pages, and what they share.
 #pragma once
 
-#include <QElapsedTimer>
 #include <QMainWindow>
-#include <QTimer>
-#include <filesystem>
-#include <memory>
+#include <array>
 
-#include "app/desktop/content.h"
-#include "app/desktop/theme.h"
-#include "app/report/plot.h"
+#include "app/desktop/page.h"
 
-class QAction;
-class QLabel;
+class QTabWidget;
 
 namespace searig::app::desktop {
 
-class Readouts;
-class TimePlot;
+class DiagnosePage;
+class LivePage;
+class ReplayPage;
 
-class MainWindow : public QMainWindow {
+class MainWindow : public QMainWindow, private Shell {
  public:
   explicit MainWindow(const Theme& theme);
-  ~MainWindow() override;
 
-  /// Starts the simulated rig; `ahead_s` of it have passed already.
-  void start_simulated(double ahead_s = 0.0);
-  /// False where it could not be opened; the window then says why, without a dialog.
-  bool open(const std::filesystem::path& folder);
-  QString message() const;
+  LivePage& live() { return *live_; }
+  ReplayPage& replay() { return *replay_; }
+  DiagnosePage& diagnose() { return *diagnose_; }
 
-  /// Where things are on the window, for tests that look at pixels: JSON.
-  std::string describe_layout() const;
+  /// Puts a page in front, by its name in small letters.
+  void show_page(const QString& name);
+  Page& page_in_front() const;
+  bool open_recording(const std::filesystem::path& recording) override;
+  void set_theme(const Theme& theme);
 
  private:
   void make_actions();
-  void make_plots();
-  void show_content(std::unique_ptr<Content> content);
   void choose_recording();
-  void tick();
-  void pause(bool on);
-  void refresh();
-  void refresh_numbers();
-  void zoom(double factor);
-  void move_view(double share);
-  void show_all();
-  void set_theme(const Theme& theme);
-  Range time_range() const;
+  void turn_to_page();
+  void caption_changed() override;
 
   Theme theme_;
-  std::unique_ptr<Content> content_;
-  Readouts* readouts_ = nullptr;
-  TimePlot* torque_plot_ = nullptr;
-  TimePlot* weight_plot_ = nullptr;
-  TimePlot* stiffness_plot_ = nullptr;
-  QLabel* hint_ = nullptr;    // what to do next, or what went wrong
-  QLabel* status_ = nullptr;  // of the clocks and streams
-  QAction* pause_action_ = nullptr;
-  QTimer timer_;
-  QElapsedTimer since_start_;
-  double ahead_s_ = 0.0;
-  double shown_until_s_ = 0.0;  // while paused the data go on and the view stays
-  double span_s_ = 20.0;        // of the live view
-  Range view_{0.0, 20.0};       // of a recording or a paused view
+  QTabWidget* tabs_;
+  LivePage* live_;
+  ReplayPage* replay_;
+  DiagnosePage* diagnose_;
 };
 
 }  // namespace searig::app::desktop

@@ -108,6 +108,13 @@ TEST(Desktop, EmptyWindowHasNoCurve) {
   EXPECT_EQ(count(picture, "torque", app::Hue::blue), 0);
 }
 
+TEST(Desktop, ShowsThePageThatIsAskedFor) {
+  EXPECT_TRUE(picture_of("--page replay").layout["plots"].contains("torque"));
+  const Picture diagnose = picture_of("--page diagnose");
+  EXPECT_TRUE(diagnose.layout["plots"].empty());
+  EXPECT_TRUE(diagnose.layout["words"].contains("hint"));
+}
+
 TEST(Desktop, ARecordingThatIsNotThereIsSaidAndExits1) {
   const Ran ran = run_program("searig desktop /nowhere --offscreen --screenshot /tmp/never.png");
   EXPECT_EQ(ran.exit_code, 1);

@@ -1,4 +1,4 @@
-#include "app/desktop/time_plot.h"
+#include "app/desktop/plot/time_plot.h"
 
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/desktop/decimated_series.h"
+#include "app/desktop/plot/decimated_series.h"
 
 namespace searig::app::desktop {
 namespace {

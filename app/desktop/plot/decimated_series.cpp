@@ -1,4 +1,4 @@
-#include "app/desktop/decimated_series.h"
+#include "app/desktop/plot/decimated_series.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,51 @@
+// One of the window's pages: its own view, its own menu, its own words.
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <filesystem>
+
+#include "app/desktop/theme.h"
+
+class QAction;
+class QKeySequence;
+class QMenu;
+
+namespace searig::app::desktop {
+
+/// What a page may ask of the window around it.
+class Shell {
+ public:
+  virtual ~Shell() = default;
+  /// On the pages that show recordings; goes to Replay. False where it cannot be opened: the page
+  /// then says why.
+  virtual bool open_recording(const std::filesystem::path& recording) = 0;
+  /// The caption of a page has changed.
+  virtual void caption_changed() = 0;
+};
+
+class Page : public QWidget {
+ public:
+  /// `name` is the tab's, and in small letters what --page takes.
+  Page(const QString& name, Shell& shell);
+
+  QString name() const { return objectName(); }
+  /// Its actions. The menu is in the menu bar while the page is in front, and its keys hold then.
+  QMenu* menu() const { return menu_; }
+  /// What it shows, for the window's title: a recording's name.
+  virtual QString caption() const { return {}; }
+  /// What it has to say to the user now: the next step, or what went wrong.
+  virtual QString message() const { return {}; }
+  virtual void set_theme(const Theme& theme) = 0;
+
+ protected:
+  /// An action in the menu; the key is shown beside it.
+  QAction* add_action(const char* words, const QKeySequence& key);
+  Shell& shell() const { return shell_; }
+
+ private:
+  Shell& shell_;
+  QMenu* menu_;
+};
+
+}  // namespace searig::app::desktop
