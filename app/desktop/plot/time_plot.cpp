@@ -2,16 +2,18 @@
 
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
-#include <qwt_plot_curve.h>
 #include <qwt_plot_grid.h>
 #include <qwt_plot_layout.h>
+#include <qwt_plot_marker.h>
 #include <qwt_scale_draw.h>
 #include <qwt_scale_widget.h>
 
+#include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
-#include "app/desktop/plot/decimated_series.h"
+#include "app/desktop/plot/span_item.h"
 
 namespace searig::app::desktop {
 namespace {
@@ -39,6 +41,14 @@ void style_axis(QwtPlot& plot, int axis, const QString& label) {
   plot.axisWidget(axis)->setMargin(0);
 }
 
+/// A colour as it looks over the ground.
+QString over(const QColor& colour, const QColor& under, double opacity) {
+  const auto mix = [opacity](int a, int b) { return int(opacity * a + (1.0 - opacity) * b); };
+  return QColor(mix(colour.red(), under.red()), mix(colour.green(), under.green()),
+                mix(colour.blue(), under.blue()))
+      .name();
+}
+
 }  // namespace
 
 TimePlot::TimePlot(const QString& title, const QString& y_label, QWidget* parent)
@@ -46,7 +56,8 @@ TimePlot::TimePlot(const QString& title, const QString& y_label, QWidget* parent
       title_(title),
       caption_(new QLabel(this)),
       plot_(new QwtPlot(this)),
-      grid_(new QwtPlotGrid) {
+      grid_(new QwtPlotGrid),
+      curves_(new SpanItem) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 6, 12, 2);
   layout->setSpacing(2);
@@ -62,10 +73,15 @@ TimePlot::TimePlot(const QString& title, const QString& y_label, QWidget* parent
   plot_->plotLayout()->setAlignCanvasToScales(true);
   plot_->plotLayout()->setCanvasMargin(0);
   plot_->setMinimumHeight(110);
-  static_cast<QwtPlotCanvas*>(plot_->canvas())->setFrameStyle(QFrame::NoFrame);
+  auto* canvas = static_cast<QwtPlotCanvas*>(plot_->canvas());
+  canvas->setFrameStyle(QFrame::NoFrame);
+  // Each frame is another: a copy kept of the last one would only cost.
+  canvas->setPaintAttribute(QwtPlotCanvas::BackingStore, false);
+  canvas->setPaintAttribute(QwtPlotCanvas::Opaque, true);
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::Base);
   grid_->attach(plot_);
+  curves_->attach(plot_);
 }
 
 const QWidget& TimePlot::canvas() const {
@@ -82,18 +98,51 @@ Range TimePlot::y_range() const {
   return {interval.minValue(), interval.maxValue()};
 }
 
-void TimePlot::add_curve(const QString& name, Hue hue) {
-  auto* curve = new QwtPlotCurve(name);
-  auto* series = new DecimatedSeries;
-  curve->setSamples(series);
-  curve->setRenderHint(QwtPlotItem::RenderAntialiased, false);  // slow on dense curves
-  curve->attach(plot_);
-  curves_.push_back({name, hue, curve, series});
+std::size_t TimePlot::add(const QString& name, Hue hue, const QString& sign, double opacity) {
+  legend_.push_back({name, hue, sign, opacity});
+  return legend_.size() - 1;
 }
 
-void TimePlot::set_data(std::size_t curve, const std::vector<double>* x,
+std::size_t TimePlot::add_curve(const QString& name, Hue hue) {
+  curves_->add(SpanItem::Kind::line);
+  return add(name, hue, QStringLiteral("&#x2501;&#x2501;"), 1.0);
+}
+
+std::size_t TimePlot::add_dots(const QString& name, Hue hue) {
+  curves_->add(SpanItem::Kind::dots);
+  return add(name, hue, QStringLiteral("&#x25cf;"), 1.0);
+}
+
+std::size_t TimePlot::add_band(const QString& name, Hue hue, double opacity) {
+  curves_->add(SpanItem::Kind::band);
+  return add(name, hue, QStringLiteral("&#x25a0;"), opacity);
+}
+
+void TimePlot::set_data(std::size_t place, const std::vector<double>* x,
                         const std::vector<double>* y) {
-  curves_[curve].series->show(x, y);
+  curves_->set_data(place, x, y, nullptr);
+}
+
+void TimePlot::set_band(std::size_t place, const std::vector<double>* x,
+                        const std::vector<double>* low, const std::vector<double>* high) {
+  curves_->set_data(place, x, low, high);
+}
+
+void TimePlot::set_marks(const std::vector<Mark>& marks) {
+  for (auto* mark : marks_) delete mark;  // which detaches it
+  marks_.clear();
+  for (const Mark& mark : marks) {
+    auto* line = new QwtPlotMarker;
+    line->setLineStyle(QwtPlotMarker::VLine);
+    line->setLinePen(theme_.colour(mark.hue), 1.0, Qt::DashLine);
+    line->setXValue(mark.x);
+    QwtText text = small_text(QString::fromStdString(mark.text));
+    text.setColor(theme_.colour(mark.hue));
+    line->setLabel(text);
+    line->setLabelAlignment(Qt::AlignRight | Qt::AlignTop);
+    line->attach(plot_);
+    marks_.push_back(line);
+  }
 }
 
 void TimePlot::fix_y(Range range) {
@@ -101,44 +150,58 @@ void TimePlot::fix_y(Range range) {
   plot_->setAxisScale(QwtPlot::yLeft, range.low, range.high);
 }
 
+void TimePlot::follow_y() {
+  y_fixed_ = false;
+}
+
+void TimePlot::show_time_axis(bool shown) {
+  plot_->enableAxis(QwtPlot::xBottom, shown);
+}
+
 void TimePlot::show_range(Range time_s) {
   plot_->setAxisScale(QwtPlot::xBottom, time_s.low, time_s.high);
-  for (auto& curve : curves_) {
-    curve.series->choose(time_s.low, time_s.high, plot_->canvas()->width());
-  }
+  const QWidget& canvas = *plot_->canvas();
+  curves_->choose(time_s, std::size_t(std::lround(canvas.width() * canvas.devicePixelRatioF())));
   if (!y_fixed_) follow_data();
   plot_->replot();
 }
 
+/// The axis stands still as long as the data fill it well: one that moves all the time can be
+/// neither read nor drawn cheaply.
 void TimePlot::follow_data() {
-  QRectF all;
-  for (const auto& curve : curves_) {
-    if (curve.series->size() > 0) all |= curve.series->boundingRect();
-  }
-  if (all.height() <= 0.0) return;
-  const double margin = 0.06 * all.height();
-  plot_->setAxisScale(QwtPlot::yLeft, all.top() - margin, all.bottom() + margin);
+  const Range seen = curves_->y_range();
+  if (!(seen.high >= seen.low)) return;
+  const double height = std::max({seen.high - seen.low, 1e-9 * std::abs(seen.high), 1e-12});
+  const Range now = y_range();
+  const bool holds = now.low <= seen.low && now.high >= seen.high;
+  if (holds && height > 0.6 * (now.high - now.low)) return;
+  plot_->setAxisScale(QwtPlot::yLeft, seen.low - 0.1 * height, seen.high + 0.1 * height);
 }
 
 void TimePlot::set_theme(const Theme& theme) {
   theme_ = theme;
-  for (auto& curve : curves_) curve.curve->setPen(theme.colour(curve.hue), 1.0);
+  for (std::size_t i = 0; i < legend_.size(); ++i) {
+    QColor colour = theme.colour(legend_[i].hue);
+    colour.setAlphaF(legend_[i].opacity);
+    curves_->set_colour(i, colour);
+  }
   grid_->setMajorPen(theme.colour(grid), 1.0);
   plot_->setCanvasBackground(theme.colour(ground));
   write_caption();
 }
 
-void TimePlot::rename_curve(std::size_t curve, const QString& name) {
-  curves_[curve].name = name;
+void TimePlot::rename_curve(std::size_t place, const QString& name) {
+  legend_[place].name = name;
   write_caption();
 }
 
 void TimePlot::write_caption() {
   QString text = QStringLiteral("<b>%1</b>").arg(title_.toHtmlEscaped());
-  for (const auto& curve : curves_) {
-    text += QStringLiteral(
-                "&nbsp;&nbsp;&nbsp;&nbsp;<span style='color:%1'><b>&#x2501;&#x2501;</b></span> %2")
-                .arg(theme_.colour(curve.hue).name(), curve.name.toHtmlEscaped());
+  for (const auto& entry : legend_) {
+    if (entry.name.isEmpty()) continue;
+    text += QStringLiteral("&nbsp;&nbsp;&nbsp; <span style='color:%1'><b>%2</b></span> %3")
+                .arg(over(theme_.colour(entry.hue), theme_.colour(ground), entry.opacity),
+                     entry.sign, entry.name.toHtmlEscaped());
   }
   caption_->setText(text);
 }

@@ -1,33 +1,47 @@
 // One plot over time with its caption and legend above, where they cover no data.
 #pragma once
 
-#include <QLabel>
 #include <QString>
 #include <QWidget>
+#include <cstddef>
 #include <vector>
 
 #include "app/desktop/theme.h"
 #include "app/report/plot.h"
 
+class QLabel;
 class QwtPlot;
-class QwtPlotCurve;
 class QwtPlotGrid;
+class QwtPlotMarker;
 
 namespace searig::app::desktop {
 
-class DecimatedSeries;
+class SpanItem;
 
+/// What is added later is drawn above. The columns that are set belong to the caller, who keeps
+/// them alive and may append to them; whatever else changes in them, they are to be set anew. Their
+/// number costs nothing: a frame takes the same time for a thousand points as for a million.
 class TimePlot : public QWidget {
  public:
   TimePlot(const QString& title, const QString& y_label, QWidget* parent = nullptr);
 
-  void add_curve(const QString& name, Hue hue);
-  void rename_curve(std::size_t curve, const QString& name);
-  /// The columns belong to the caller, who keeps them alive.
-  void set_data(std::size_t curve, const std::vector<double>* x, const std::vector<double>* y);
+  /// Each returns the place by which it is spoken of.
+  std::size_t add_curve(const QString& name, Hue hue);
+  std::size_t add_dots(const QString& name, Hue hue);
+  std::size_t add_band(const QString& name, Hue hue, double opacity);
+  void rename_curve(std::size_t place, const QString& name);
+  void set_data(std::size_t place, const std::vector<double>* x, const std::vector<double>* y);
+  void set_band(std::size_t place, const std::vector<double>* x, const std::vector<double>* low,
+                const std::vector<double>* high);
+  /// Vertical lines with a word each.
+  void set_marks(const std::vector<Mark>& marks);
+
   /// Keeps the y axis where it is; otherwise it follows the data in view.
   void fix_y(Range range);
+  void follow_y();
   void show_range(Range time_s);
+  /// Of plots below each other the lowest alone may have it.
+  void show_time_axis(bool shown);
   void set_theme(const Theme& theme);
 
   /// Where the data are drawn, and what range they are drawn over.
@@ -36,13 +50,14 @@ class TimePlot : public QWidget {
   Range y_range() const;
 
  private:
-  struct Curve {
+  struct Entry {
     QString name;
     Hue hue;
-    QwtPlotCurve* curve;      // owned by plot_
-    DecimatedSeries* series;  // owned by curve
+    QString sign;  ///< before the name in the legend
+    double opacity;
   };
 
+  std::size_t add(const QString& name, Hue hue, const QString& sign, double opacity);
   void follow_data();
   void write_caption();
 
@@ -50,8 +65,10 @@ class TimePlot : public QWidget {
   Theme theme_{false};
   QLabel* caption_;
   QwtPlot* plot_;
-  QwtPlotGrid* grid_;  // owned by plot_
-  std::vector<Curve> curves_;
+  QwtPlotGrid* grid_;  // owned by plot_, as the items below
+  SpanItem* curves_;
+  std::vector<QwtPlotMarker*> marks_;
+  std::vector<Entry> legend_;
   bool y_fixed_ = false;
 };
 

@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
-
-#include "app/report/extremes.h"
 
 namespace searig::app {
 namespace {
@@ -63,43 +60,6 @@ TEST(Decimate, AGapBreaksTheLineOnce) {
   const auto kept = decimate(line.x, line.y, 0.0, 0.1, 1000);
   EXPECT_EQ(std::count_if(kept.begin(), kept.end(), [&](auto i) { return std::isnan(line.y[i]); }),
             1);
-}
-
-TEST(Decimate, TheExtremesChooseTheSamePointsWhileTheDataGrow) {
-  std::mt19937_64 random(7);
-  Line line = noisy_line(0), all = noisy_line(30000);
-  for (std::size_t i = 11000; i < 11100; ++i) all.y[i] = std::nan("");
-  Extremes extremes;
-  while (line.x.size() < all.x.size()) {
-    const std::size_t size = std::min(all.x.size(), line.x.size() + random() % 3000);
-    line.x.assign(all.x.begin(), all.x.begin() + static_cast<std::ptrdiff_t>(size));
-    line.y.assign(all.y.begin(), all.y.begin() + static_cast<std::ptrdiff_t>(size));
-    extremes.follow(line.y);
-    const double low = 1e-3 * static_cast<double>(random() % 20000);
-    const double high = low + 1e-3 * static_cast<double>(1 + random() % 20000);
-    for (const std::size_t columns : {3u, 20u, 150u})
-      ASSERT_EQ(decimate(line.x, line.y, low, high, columns, &extremes),
-                decimate(line.x, line.y, low, high, columns))
-          << size << " values, " << low << " to " << high;
-  }
-}
-
-TEST(Extremes, AreThoseOfEveryStretch) {
-  const Line line = noisy_line(5000);
-  Extremes extremes;
-  extremes.follow(line.y);
-  std::mt19937_64 random(3);
-  for (int trial = 0; trial < 2000; ++trial) {
-    std::size_t first = random() % 5000, last = random() % 5000;
-    if (first > last) std::swap(first, last);
-    const auto begin = line.y.begin();
-    const auto [lowest, highest] = std::minmax_element(
-        begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last + 1));
-    const auto found = extremes.in(line.y, first, last + 1);
-    ASSERT_TRUE(found.whole);
-    ASSERT_EQ(line.y[found.lowest], *lowest);
-    ASSERT_EQ(line.y[found.highest], *highest);
-  }
 }
 
 TEST(Decimate, NothingComesOfNothing) {

@@ -1,0 +1,76 @@
+#include "app/desktop/plot/span_item.h"
+
+#include <qwt_scale_map.h>
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace searig::app::desktop {
+namespace {
+
+constexpr double line_width = 1.3, dot_size = 3.0;  // logical pixels
+
+}  // namespace
+
+std::size_t SpanItem::add(Kind kind) {
+  curves_.push_back({kind, {}, nullptr, {}, {}});
+  return curves_.size() - 1;
+}
+
+void SpanItem::set_data(std::size_t curve, const std::vector<double>* x,
+                        const std::vector<double>* y, const std::vector<double>* high) {
+  curves_[curve].x = x;
+  curves_[curve].side = {y, {}, {}};
+  curves_[curve].high = {high, {}, {}};
+}
+
+void SpanItem::choose(Range x, std::size_t columns) {
+  x_ = x;
+  columns_ = columns;
+  const double half = columns > 1 ? 0.5 * (x.high - x.low) / double(columns - 1) : 0.0;
+  const Range edges{x.low - half, x.high + half};
+  for (Curve& curve : curves_)
+    for (Side* side : {&curve.side, &curve.high}) {
+      if (curve.x == nullptr || side->y == nullptr) continue;
+      side->extremes.follow(*side->y);
+      column_spans(*curve.x, *side->y, side->extremes, edges, columns,
+                   curve.kind == Kind::dots ? Joined::no : Joined::yes, side->spans);
+    }
+}
+
+Range SpanItem::y_range() const {
+  Range all{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const Curve& curve : curves_)
+    for (const Side* side : {&curve.side, &curve.high})
+      for (const Range& span : side->spans) {
+        all.low = std::min(all.low, span.low);
+        all.high = std::max(all.high, span.high);
+      }
+  return all;
+}
+
+void SpanItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap& y_map,
+                    const QRectF& canvas) const {
+  const double scale = painter->device()->devicePixelRatioF();
+  const QSize pixels(int(std::lround(canvas.width() * scale)),
+                     int(std::lround(canvas.height() * scale)));
+  if (pixels.isEmpty()) return;
+  // The canvas has been given another size since what covers its columns was worked out.
+  if (std::size_t(pixels.width()) != columns_)
+    const_cast<SpanItem*>(this)->choose(x_, std::size_t(pixels.width()));
+  // Qwt's values stand at the middles of pixels.
+  image_.begin(pixels,
+               {y_map.invTransform(canvas.bottom() - 0.5), y_map.invTransform(canvas.top() - 0.5)},
+               scale);
+  for (const Curve& curve : curves_) {
+    if (curve.kind == Kind::band)
+      image_.area(curve.side.spans, curve.high.spans, curve.colour);
+    else
+      image_.line(curve.side.spans, curve.colour, curve.kind == Kind::dots ? dot_size : line_width);
+  }
+  painter->drawImage(canvas, image_.image());
+}
+
+}  // namespace searig::app::desktop
