@@ -14,6 +14,7 @@ void add_sync(CLI::App& app);
 void add_export(CLI::App& app);
 void add_evaluate(CLI::App& app);
 void add_diagnose(CLI::App& app);
+void add_merge(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_effects(CLI::App& app);
 void add_demo(CLI::App& app);

@@ -1,16 +1,12 @@
 // searig evaluate: the paper's Table I for recordings: best fit, online estimate, motor current.
-#include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "app/cli/batch_command.h"
 #include "app/cli/commands.h"
 #include "app/cli/evaluate_answer.h"
-#include "app/cli/in_parallel.h"
-#include "app/cli/json_output.h"
 #include "app/session/session.h"
 #include "estimator/evaluation/evaluation.h"
 #include "estimator/physics/catalogue.h"
@@ -19,7 +15,7 @@ namespace searig::app {
 namespace {
 
 struct Options {
-  std::vector<std::string> recordings;
+  BatchOptions batch;
   std::optional<std::string> model;
   std::optional<double> initial_k;
   std::string drive = "model";
@@ -27,8 +23,6 @@ struct Options {
   std::optional<double> loop_gain;
   std::string chosen;
   std::vector<std::string> states = {"spring.linear"};
-  unsigned jobs = 0;
-  std::string json;
 
   estimator::EvaluationOptions evaluation() const {
     using enum estimator::DriveTerms;
@@ -52,60 +46,38 @@ struct Options {
   }
 };
 
-std::string name_of(const std::string& recording) {
-  const std::filesystem::path path = std::filesystem::path(recording).lexically_normal();
-  if (path.extension() == ".mcap") return path.stem().string();
-  return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
+Outcome evaluate_one(const std::string& recording, const Options& options) {
+  const Session session = open_session(recording);
+  const auto model = find_model(recording, options.model);
+  EvaluationOutcome out{.name = name_of(recording),
+                        .path = recording,
+                        .evaluation = evaluate_session(session, model, options.evaluation()),
+                        .notes = {}};
+  out.notes = out.evaluation.notes;
+  if (!session.recording.cut_off.empty()) out.notes.push_back(session.recording.cut_off);
+  if (!session.clock.trusted) {
+    out.notes.push_back("the clocks are not to be trusted: " + session.clock.why);
+  }
+  return {answer(out), words(out)};
 }
 
-EvaluationOutcome evaluate_one(const std::string& recording, const Options& options) {
-  EvaluationOutcome out{.name = name_of(recording), .evaluation = {}, .notes = {}, .failure = {}};
-  try {
-    const Session session = open_session(recording);
-    const auto model = find_model(recording, options.model);
-    out.evaluation = evaluate_session(session, model, options.evaluation());
-    out.notes = out.evaluation.notes;
-    if (!session.recording.cut_off.empty()) out.notes.push_back(session.recording.cut_off);
-    if (!session.clock.trusted) {
-      out.notes.push_back("the clocks are not to be trusted: " + session.clock.why);
-    }
-  } catch (const std::exception& error) {
-    out.failure = error.what();
-  }
-  return out;
-}
-
-// One bad recording does not keep the others from their answer, but the exit code tells of it.
-void complain(const std::vector<EvaluationOutcome>& outcomes) {
-  std::string sentence;
-  std::size_t failed = 0;
-  for (const EvaluationOutcome& outcome : outcomes) {
-    if (outcome.failure.empty()) continue;
-    ++failed;
-    sentence = outcome.failure;
-    if (outcomes.size() > 1) {
-      std::fprintf(stderr, "searig: %s: %s\n", outcome.name.c_str(), outcome.failure.c_str());
-    }
-  }
-  if (failed == 0) return;
-  if (outcomes.size() > 1) {
-    sentence = std::to_string(failed) + " of " + std::to_string(outcomes.size()) +
-               " recordings could not be evaluated";
-  }
-  throw std::runtime_error(sentence);
+nlohmann::json settings_of(const Options& options) {
+  const auto number = [](const std::optional<double>& value) {
+    return value ? nlohmann::json(*value) : nlohmann::json();
+  };
+  return {{"model", model_setting(options.model)},
+          {"initial_k", number(options.initial_k)},
+          {"drive", options.drive},
+          {"as_paper", options.as_paper},
+          {"loop_gain", number(options.loop_gain)},
+          {"estimator", options.chosen},
+          {"states", options.states}};
 }
 
 void run(const Options& options) {
-  std::vector<EvaluationOutcome> outcomes(options.recordings.size());
-  in_parallel(outcomes.size(), options.jobs,
-              [&](std::size_t i) { outcomes[i] = evaluate_one(options.recordings[i], options); });
-  if (options.json != "-") {
-    for (const EvaluationOutcome& outcome : outcomes) {
-      if (outcome.failure.empty()) say(outcome);
-    }
-  }
-  if (!options.json.empty()) write_json(answer(outcomes), options.json);
-  complain(outcomes);
+  check(options.batch);
+  run_as_batch(options.batch, options.batch.inputs(), "evaluate", settings_of(options),
+               [&](const std::string& recording) { return evaluate_one(recording, options); });
 }
 
 }  // namespace
@@ -127,10 +99,8 @@ void add_evaluate(CLI::App& app) {
         return known ? std::string() : text + " is none of the catalogue's spring effects";
       },
       "EFFECT");
-  command
-      ->add_option("RECORDING", options->recordings,
-                   "Folders with a recording.toml, or .mcap files")
-      ->required();
+  add_batch_options(*command, options->batch,
+                    "Folders with a recording.toml, .mcap files, or folders that hold such");
   command->add_option("--model", options->model, "Model to use instead of the recording's own");
   command
       ->add_option("--initial-k", options->initial_k,
@@ -156,11 +126,10 @@ void add_evaluate(CLI::App& app) {
       ->check(is_state);
   command->add_flag("--as-paper", options->as_paper,
                     "The paper's gamma, alpha and beta as printed, whatever the module's size");
-  command->add_option("--jobs", options->jobs, "Recordings at the same time (0: one per core)");
-  command->add_option("--json", options->json, "Write the answer for machines (- for stdout)");
   command->footer(
       "Example:\n  searig evaluate recordings/* --initial-k 500 --json evaluation.json\n"
-      "  searig evaluate RECORDING --estimator all --states spring.linear,spring.viscous");
+      "  searig evaluate RECORDING --estimator all --states spring.linear,spring.viscous\n"
+      "  searig evaluate all_recordings --out results --resume      (docs/batch.md)");
   command->callback([options] { run(*options); });
 }
 

@@ -1,5 +1,6 @@
 #include "app/cli/evaluate_answer.h"
 
+#include <cstdarg>
 #include <cstdio>
 #include <optional>
 
@@ -60,68 +61,78 @@ nlohmann::json estimator_json(const estimator::EstimatorResult& result) {
 
 }  // namespace
 
-nlohmann::json answer(const std::vector<EvaluationOutcome>& outcomes) {
-  nlohmann::json recordings = nlohmann::json::array(), failed = nlohmann::json::array();
-  for (const EvaluationOutcome& outcome : outcomes) {
-    if (!outcome.failure.empty()) {
-      failed.push_back({{"name", outcome.name}, {"why", outcome.failure}});
-      continue;
-    }
-    recordings.push_back({{"name", outcome.name},
-                          {"seconds", outcome.evaluation.seconds},
-                          {"models", models_json(outcome.evaluation)},
-                          {"notes", outcome.notes}});
-    for (const auto& result : outcome.evaluation.estimators) {
-      recordings.back()["estimators"].push_back(estimator_json(result));
-    }
-  }
-  return {{"format", "searig-evaluation/1"}, {"recordings", recordings}, {"failed", failed}};
+nlohmann::json answer(const EvaluationOutcome& outcome) {
+  nlohmann::json out = {{"name", outcome.name},
+                        {"path", outcome.path},
+                        {"seconds", outcome.evaluation.seconds},
+                        {"models", models_json(outcome.evaluation)},
+                        {"notes", outcome.notes}};
+  for (const auto& result : outcome.evaluation.estimators)
+    out["estimators"].push_back(estimator_json(result));
+  return out;
 }
 
 namespace {
 
-void say_row(const char* model, std::optional<double> k, const estimator::Score& score) {
-  char text[32] = "-";
-  if (k) std::snprintf(text, sizeof text, "%.4g N*m/rad", *k);
-  std::printf("  %-18s %16s %9.1f %% %11.4g N*m\n", model, text, score.error_percent,
-              score.rmse_nm);
+/// As printf() has it, at the end of `text`.
+[[gnu::format(printf, 2, 3)]] void append(std::string& text, const char* format, ...) {
+  std::va_list arguments, again;
+  va_start(arguments, format);
+  va_copy(again, arguments);
+  const auto size = std::size_t(std::vsnprintf(nullptr, 0, format, arguments));
+  const std::size_t before = text.size();
+  text.resize(before + size + 1);
+  std::vsnprintf(text.data() + before, size + 1, format, again);
+  text.pop_back();
+  va_end(again);
+  va_end(arguments);
 }
 
-void say_estimator(const estimator::EstimatorResult& result) {
-  std::printf("  %-18s %28.1f %% %11.4g N*m\n", name_of(result.kind).data(),
-              result.score.error_percent, result.score.rmse_nm);
+void say_row(std::string& out, const char* model, std::optional<double> k,
+             const estimator::Score& score) {
+  char text[32] = "-";
+  if (k) std::snprintf(text, sizeof text, "%.4g N*m/rad", *k);
+  append(out, "  %-18s %16s %9.1f %% %11.4g N*m\n", model, text, score.error_percent,
+         score.rmse_nm);
+}
+
+void say_estimator(std::string& out, const estimator::EstimatorResult& result) {
+  append(out, "  %-18s %28.1f %% %11.4g N*m\n", name_of(result.kind).data(),
+         result.score.error_percent, result.score.rmse_nm);
   for (const estimator::StateParameter& p : result.parameters) {
-    std::printf("    %-24s %12.5g", (p.effect + " " + p.name).c_str(), p.value);
-    if (result.why_no_interval.empty()) std::printf(" +- %.3g", p.half_width_95());
-    std::printf("\n");
+    append(out, "    %-24s %12.5g", (p.effect + " " + p.name).c_str(), p.value);
+    if (result.why_no_interval.empty()) append(out, " +- %.3g", p.half_width_95());
+    out += "\n";
   }
 }
 
 }  // namespace
 
-void say(const EvaluationOutcome& outcome) {
+std::string words(const EvaluationOutcome& outcome) {
+  std::string out;
   const estimator::Evaluation& e = outcome.evaluation;
-  std::printf("%s, %.1f s\n", outcome.name.c_str(), e.seconds);
+  append(out, "%s, %.1f s\n", outcome.name.c_str(), e.seconds);
   if (e.best_fit || e.online || e.current)
-    std::printf("  %-18s %16s %11s %15s\n", "Torque model", "Stiffness", "Error", "RMSE");
-  if (e.best_fit) say_row("Linear (best fit)", e.best_fit->k_nm_per_rad, e.best_fit->score);
-  if (e.online) say_row("Online", e.online->k_nm_per_rad, e.online->score);
-  if (e.current) say_row("Motor current", std::nullopt, e.current->score);
+    append(out, "  %-18s %16s %11s %15s\n", "Torque model", "Stiffness", "Error", "RMSE");
+  if (e.best_fit) say_row(out, "Linear (best fit)", e.best_fit->k_nm_per_rad, e.best_fit->score);
+  if (e.online) say_row(out, "Online", e.online->k_nm_per_rad, e.online->score);
+  if (e.current) say_row(out, "Motor current", std::nullopt, e.current->score);
   if (e.online && e.online->convergence) {
-    std::printf(
-        "  Online: from %.4g N*m/rad, within 5 %% of the best fit after %.1f s "
-        "(trust weight %.2f s of %.1f s)\n",
-        e.online->initial_k_nm_per_rad, e.online->convergence->after_s,
-        e.online->convergence->trust_weight_s, e.online->trust_weight_s);
+    append(out,
+           "  Online: from %.4g N*m/rad, within 5 %% of the best fit after %.1f s "
+           "(trust weight %.2f s of %.1f s)\n",
+           e.online->initial_k_nm_per_rad, e.online->convergence->after_s,
+           e.online->convergence->trust_weight_s, e.online->trust_weight_s);
   } else if (e.online) {
-    std::printf(
-        "  Online: from %.4g N*m/rad, not within 5 %% of the best fit at the end "
-        "(trust weight %.1f s)\n",
-        e.online->initial_k_nm_per_rad, e.online->trust_weight_s);
+    append(out,
+           "  Online: from %.4g N*m/rad, not within 5 %% of the best fit at the end "
+           "(trust weight %.1f s)\n",
+           e.online->initial_k_nm_per_rad, e.online->trust_weight_s);
   }
-  if (e.current) std::printf("  Motor current: %s\n", e.drive_from.c_str());
-  for (const auto& result : e.estimators) say_estimator(result);
-  for (const std::string& note : outcome.notes) std::printf("  Note: %s\n", note.c_str());
+  if (e.current) append(out, "  Motor current: %s\n", e.drive_from.c_str());
+  for (const auto& result : e.estimators) say_estimator(out, result);
+  for (const std::string& note : outcome.notes) append(out, "  Note: %s\n", note.c_str());
+  return out;
 }
 
 }  // namespace searig::app

@@ -9,17 +9,18 @@
 
 namespace searig::app {
 
-/// One recording's answer, or why there is none.
+/// One recording's answer.
 struct EvaluationOutcome {
-  std::string name;
+  std::string name, path;
   estimator::Evaluation evaluation;
   std::vector<std::string> notes;
-  std::string failure;
 };
 
-/// The contract's answer; with estimators asked for, each recording has a list of them beside.
-nlohmann::json answer(const std::vector<EvaluationOutcome>& outcomes);
+/// As it stands among the contract's "recordings"; with estimators asked for, it has a list of them
+/// beside.
+nlohmann::json answer(const EvaluationOutcome& outcome);
 
-void say(const EvaluationOutcome& outcome);
+/// The paper's table, for people.
+std::string words(const EvaluationOutcome& outcome);
 
 }  // namespace searig::app

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   add_sync(app);
   add_evaluate(app);
   add_diagnose(app);
+  add_merge(app);
   add_simulate(app);
   add_effects(app);
   add_export(app);

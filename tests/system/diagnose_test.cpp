@@ -107,7 +107,7 @@ TEST_F(DiagnoseCommand, DiagnosesEachByItselfWithAnyNumberOfJobs) {
   EXPECT_EQ(one.out, two.out);
   EXPECT_NE(one.err.find("1 of 3 recordings"), std::string::npos) << one.err;
   const auto answer = nlohmann::json::parse(one.out);
-  EXPECT_EQ(answer.at("format"), "searig-diagnosis/1");
+  EXPECT_EQ(answer.at("format"), "searig-diagnoses/1");
   ASSERT_EQ(answer.at("recordings").size(), 2u);
   EXPECT_EQ(answer.at("recordings").at(1).at("name"), "other");
   EXPECT_EQ(answer.at("failed").size(), 1u);
