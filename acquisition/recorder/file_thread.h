@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "acquisition/recorder/bounded_queue.h"
-#include "acquisition/recorder/entry.h"
+#include "acquisition/recorder/entry_sink.h"
 #include "acquisition/recorder/output_file.h"
 #include "acquisition/recorder/rolling_clock.h"
 
@@ -28,19 +28,17 @@ struct FileOptions {
   std::size_t most_waiting = 200'000;  ///< entries: about a minute of 1 kHz
 };
 
-class FileThread {
+class FileThread : public EntrySink {
  public:
   /// Makes the file and says before anything is recorded what would keep it from being one: a
   /// folder that cannot be written, a file that is there, a disk with too little room. Throws
   /// std::runtime_error with one sentence.
   explicit FileThread(const FileOptions& options);
-  ~FileThread();
+  ~FileThread() override;
   FileThread(const FileThread&) = delete;
   FileThread& operator=(const FileThread&) = delete;
 
-  /// Hands entries over and leaves the batch empty. Never waits; what the queue does not take is
-  /// counted in the return value.
-  std::size_t push(std::vector<Entry>& batch) { return queue_.push(batch, must_come); }
+  std::size_t push(std::vector<Entry>& batch) override { return queue_.push(batch, must_come); }
 
   /// Writes what waits, and the index; joins. Afterwards failure() is final.
   void finish();

@@ -1,5 +1,6 @@
 #include "acquisition/recorder/line.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -16,19 +17,43 @@ constexpr double doze_s = 0.05;  // at most so long without a look at `stop`
 
 }  // namespace
 
-Line::Line(StreamId device, std::unique_ptr<Source> source,
-           std::optional<CountsToForce> calibration, FileThread& file)
-    : device_(device),
-      source_(std::move(source)),
-      name_(source_->name()),
-      stream_(device, framing_of(name_), calibration),
-      file_(file) {}
+Line::Line(StreamId device, std::unique_ptr<Source> source)
+    : device_(device), source_(std::move(source)), name_(source_->name()) {}
 
 Line::~Line() {
   stop();
 }
 
+void Line::add(std::shared_ptr<Listener> listener) {
+  const std::lock_guard lock(mutex_);
+  if (!there_.empty()) listener->take({Arrival::Kind::connected, host_now_s(), {}, there_});
+  listener->begin(source_->counters());
+  listeners_.push_back(std::move(listener));
+}
+
+void Line::remove(const std::shared_ptr<Listener>& listener) {
+  std::unique_lock lock(mutex_);
+  const auto listens = [&] {
+    return std::find(listeners_.begin(), listeners_.end(), listener) != listeners_.end();
+  };
+  if (running_) leaving_ = listener;
+  left_.wait(lock, [&] { return !running_ || !listens(); });
+  std::erase(listeners_, listener);
+}
+
+/// Who leaves gets the counters as they are now, and no more.
+void Line::let_go(double now_s) {
+  const auto leaving = std::exchange(leaving_, nullptr);
+  if (!leaving) return;
+  leaving->tell(now_s, source_->counters());
+  leaving->hand_over(now_s);
+  std::erase(listeners_, leaving);
+  left_.notify_all();
+}
+
 void Line::start() {
+  if (thread_.joinable()) return;
+  running_ = true;
   thread_ = std::thread([this] { run(); });
 }
 
@@ -40,68 +65,60 @@ void Line::stop() {
 void Line::run() {
   prefer_this_thread();
   const std::array<Source*, 1> sources{source_.get()};
-  double now_s = host_now_s(), tell_s = now_s + tell_every_s, ping_s = now_s;
+  ping_s_ = host_now_s();
+  tell_s_ = ping_s_ + tell_every_s;
   while (!stop_) {
     wait_for(sources, doze_s);
-    read();
-    now_s = host_now_s();
-    if (now_s >= ping_s) {
-      ask(now_s);
-      ping_s = now_s + ping_every_s;
-    }
-    if (now_s >= tell_s) {
-      stream_.tell(now_s, source_->counters(), entries_);
-      tell_s = now_s + tell_every_s;
-    }
-    hand_over(now_s);
-    publish();
+    look();
   }
+  const std::lock_guard lock(mutex_);
   read();
-  stream_.tell(host_now_s(), source_->counters(), entries_);
+  for (const auto& listener : listeners_) listener->tell(host_now_s(), source_->counters());
   hand_over(host_now_s());
-  publish();
+  running_ = false;
+  left_.notify_all();
+}
+
+void Line::look() {
+  const std::lock_guard lock(mutex_);
+  read();
+  const double now_s = host_now_s();
+  if (now_s >= ping_s_) {
+    ask(now_s);
+    ping_s_ = now_s + ping_every_s;
+  }
+  if (now_s >= tell_s_) {
+    for (const auto& listener : listeners_) listener->tell(now_s, source_->counters());
+    tell_s_ = now_s + tell_every_s;
+  }
+  hand_over(now_s);
+  let_go(now_s);
 }
 
 void Line::read() {
   arrivals_.clear();
   source_->read(arrivals_);
   for (const Arrival& arrival : arrivals_) {
-    stream_.take(arrival, entries_);
-    if (arrival.kind == Arrival::Kind::unusable || arrival.kind == Arrival::Kind::unplugged)
-      trouble_ = arrival.what;
-    if (arrival.kind == Arrival::Kind::connected || arrival.kind == Arrival::Kind::reconnected)
+    using Kind = Arrival::Kind;
+    for (const auto& listener : listeners_) listener->take(arrival);
+    if (arrival.kind == Kind::unplugged) there_.clear();
+    if (arrival.kind == Kind::connected || arrival.kind == Kind::reconnected) {
+      there_ = arrival.what;
       source_->send(identify_frame());
+    }
   }
 }
 
-/// A ping, for the clocks; and who it is, as long as that is not known.
+/// A ping, for the clocks; and who it is, as long as a listener does not know.
 void Line::ask(double now_s) {
   if (source_->handle() < 0) return;
-  if (!stream_.identity()) source_->send(identify_frame());
+  const auto knows = [](const auto& listener) { return listener->knows_device(); };
+  if (!std::all_of(listeners_.begin(), listeners_.end(), knows)) source_->send(identify_frame());
   source_->send(ping_frame(pings_++, now_s));
 }
 
 void Line::hand_over(double now_s) {
-  const std::size_t gone = file_.push(entries_);
-  if (gone == 0 && overflown_ > 0) {
-    entries_.push_back(Event{now_s, mcap::name_of(device_), "overflow",
-                             "The disk was too slow: " + std::to_string(overflown_) +
-                                 " entries of what came are not in this file."});
-    overflown_ = 0;
-  }
-  overflown_ += gone;
-}
-
-void Line::publish() {
-  const std::lock_guard lock(mutex_);
-  report_.counters = stream_.counters();
-  if (stream_.identity() && !report_.identity) report_.identity = stream_.identity();
-  if (report_.trouble != trouble_) report_.trouble = trouble_;
-}
-
-Line::Report Line::report() const {
-  const std::lock_guard lock(mutex_);
-  return report_;
+  for (const auto& listener : listeners_) listener->hand_over(now_s);
 }
 
 }  // namespace searig::acquisition

@@ -1,67 +1,67 @@
-// One device while it is recorded, in a thread of its own.
+// One device while it is heard, in a thread of its own.
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "acquisition/recorder/device_stream.h"
-#include "acquisition/recorder/file_thread.h"
+#include "acquisition/recorder/listener.h"
 #include "acquisition/source/source.h"
 
 namespace searig::acquisition {
 
-/// Pulls from a source, decodes and hands everything to the file's thread. A thread for each
-/// device, because looking at a serial line may wait for the kernel: poll() of a terminal waits for
-/// a worker that has to share the processor with everybody, and was seen to take ten seconds on a
-/// machine busy with builds. A serial line keeps what comes meanwhile; a datagram socket would not.
+/// Pulls from a source and gives to all who listen. A thread for each device, because looking at a
+/// serial line may wait for the kernel: poll() of a terminal waits for a worker that has to share
+/// the processor with everybody, and was seen to take ten seconds on a machine busy with builds. A
+/// serial line keeps what comes meanwhile; a datagram socket would not.
 class Line {
  public:
-  Line(StreamId device, std::unique_ptr<Source> source, std::optional<CountsToForce> calibration,
-       FileThread& file);
+  Line(StreamId device, std::unique_ptr<Source> source);
   ~Line();
   Line(const Line&) = delete;
   Line& operator=(const Line&) = delete;
+
+  /// From now on, and from any thread. A listener that comes later is told first that the device is
+  /// there.
+  void add(std::shared_ptr<Listener> listener);
+  /// The listener has had all that came until now, and gets no more. Waits for the line's thread,
+  /// which the kernel may keep (see above).
+  void remove(const std::shared_ptr<Listener>& listener);
 
   void start();
   /// Reads what has come until now, hands it over and ends.
   void stop();
 
-  struct Report {
-    WireCounters counters;
-    std::optional<Identity> identity;
-    std::string trouble;  ///< the last thing that kept the device from being heard
-  };
-  Report report() const;  ///< from any thread
-
+  StreamId device() const { return device_; }
   std::string name() const { return name_; }
   unsigned baud() const { return source_->baud(); }
 
  private:
   void run();
+  void look();
   void read();
   void ask(double now_s);
   void hand_over(double now_s);
-  void publish();
+  void let_go(double now_s);
 
   StreamId device_;
   std::unique_ptr<Source> source_;
   std::string name_;
-  DeviceStream stream_;
-  FileThread& file_;
-
   std::vector<Arrival> arrivals_;  // kept for its memory only
-  std::vector<Entry> entries_;
+  std::string there_;              // what was said when the device came; empty while it is away
   std::uint32_t pings_ = 0;
-  std::size_t overflown_ = 0;
-  std::string trouble_;
+  double ping_s_ = 0.0, tell_s_ = 0.0;
 
-  mutable std::mutex mutex_;
-  Report report_;
+  std::mutex mutex_;  // guards what follows, and all that listeners are given
+  std::vector<std::shared_ptr<Listener>> listeners_;
+  std::shared_ptr<Listener> leaving_;
+  std::condition_variable left_;
+  bool running_ = false;
+
   std::atomic<bool> stop_{false};
   std::thread thread_;  // last: it uses all of the above
 };

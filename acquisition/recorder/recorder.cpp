@@ -7,6 +7,8 @@
 #include <thread>
 #include <utility>
 
+#include "acquisition/source/decode.h"
+
 namespace searig::acquisition {
 namespace {
 
@@ -25,21 +27,35 @@ void sleep_s(double seconds) {
 
 }  // namespace
 
-Recorder::Recorder(RecorderOptions options, std::unique_ptr<Source> module,
-                   std::unique_ptr<Source> loadcell)
+void Lines::start() {
+  module.start();
+  loadcell.start();
+}
+
+void Lines::stop() {
+  module.stop();
+  loadcell.stop();
+}
+
+Recorder::Recorder(RecorderOptions options, std::shared_ptr<Lines> lines)
     : options_(std::move(options)),
       file_(options_.file),
-      module_(StreamId::module, std::move(module), std::nullopt, file_),
-      loadcell_(StreamId::loadcell, std::move(loadcell), options_.loadcell, file_),
+      lines_(std::move(lines)),
+      module_(std::make_shared<Listener>(StreamId::module, framing_of(lines_->module.name()),
+                                         std::nullopt, file_)),
+      loadcell_(std::make_shared<Listener>(StreamId::loadcell, framing_of(lines_->loadcell.name()),
+                                           options_.loadcell, file_)),
       started_s_(host_now_s()) {
   settings_.program = options_.file.program;
   settings_.started = options_.started;
   settings_.lever_arm_m = options_.lever_arm_m.value_or(1.0);
   settings_.calibration = options_.calibration;
-  settings_.module.source = module_.name();
-  settings_.loadcell.source = loadcell_.name();
-  settings_.module.baud = module_.baud();
-  settings_.loadcell.baud = loadcell_.baud();
+  settings_.model_toml = options_.model_toml;
+  settings_.recorded = options_.notes;
+  settings_.module.source = lines_->module.name();
+  settings_.loadcell.source = lines_->loadcell.name();
+  settings_.module.baud = lines_->module.baud();
+  settings_.loadcell.baud = lines_->loadcell.baud();
   std::vector<Entry> first{NewSettings{started_s_, settings_}};
   if (!options_.lever_arm_m)
     first.push_back(Event{started_s_, "loadcell", "lever arm",
@@ -47,21 +63,41 @@ Recorder::Recorder(RecorderOptions options, std::unique_ptr<Source> module,
   file_.push(first);
 }
 
+Recorder::Recorder(RecorderOptions options, std::unique_ptr<Source> module,
+                   std::unique_ptr<Source> loadcell)
+    : Recorder(std::move(options),
+               std::make_shared<Lines>(std::move(module), std::move(loadcell))) {
+  owns_lines_ = true;
+}
+
+/// The lines let go of the listeners before the file goes.
+Recorder::~Recorder() {
+  lines_->module.remove(module_);
+  lines_->loadcell.remove(loadcell_);
+}
+
 RecorderState Recorder::run(const std::atomic<bool>& stop,
                             const std::function<void(const RecorderState&)>& progress) {
-  module_.start();
-  loadcell_.start();
+  lines_->module.add(module_);
+  lines_->loadcell.add(loadcell_);
+  lines_->start();
   watch(stop, progress);
-  module_.stop();
-  loadcell_.stop();
+  if (owns_lines_) lines_->stop();
+  lines_->module.remove(module_);
+  lines_->loadcell.remove(loadcell_);
   settle(host_now_s());
   const RecorderState end = state();
   file_.finish();
   if (const std::string why = file_.failure(); !why.empty())
     throw std::runtime_error(why + kept(end.seconds));
-  refuse_silence(module_, "module");
-  refuse_silence(loadcell_, "load cell");
+  refuse_silence(*module_, lines_->module, "module");
+  refuse_silence(*loadcell_, lines_->loadcell, "load cell");
   return {end.seconds, end.module, end.loadcell, file_.clock(), file_.bytes_written()};
+}
+
+void Recorder::mark(const std::string& kind, const std::string& text) {
+  std::vector<Entry> entries{Event{host_now_s(), "user", kind, text}};
+  file_.push(entries);
 }
 
 void Recorder::watch(const std::atomic<bool>& stop,
@@ -81,14 +117,14 @@ void Recorder::watch(const std::atomic<bool>& stop,
 
 /// What the devices say of themselves, once they have.
 void Recorder::settle(double now_s) {
-  const auto describe = [](const Line::Report& report, mcap::StreamSettings& settings) {
+  const auto describe = [](const Listener::Report& report, mcap::StreamSettings& settings) {
     if (!report.identity) return false;
     const std::string words = words_of(*report.identity);
     return std::exchange(settings.device, words) != words;
   };
-  const Line::Report module = module_.report();
+  const Listener::Report module = module_->report();
   bool news = describe(module, settings_.module);
-  news = describe(loadcell_.report(), settings_.loadcell) || news;
+  news = describe(loadcell_->report(), settings_.loadcell) || news;
   if (!news) return;
   if (module.identity && module.identity->gear_ratio > 0.0)
     settings_.gear_ratio = module.identity->gear_ratio;
@@ -97,12 +133,12 @@ void Recorder::settle(double now_s) {
 }
 
 RecorderState Recorder::state() const {
-  return {host_now_s() - started_s_, module_.report().counters, loadcell_.report().counters,
+  return {host_now_s() - started_s_, module_->report().counters, loadcell_->report().counters,
           file_.clock(), file_.bytes_written()};
 }
 
-void Recorder::refuse_silence(const Line& line, const char* name) const {
-  const Line::Report report = line.report();
+void Recorder::refuse_silence(const Listener& listener, const Line& line, const char* name) const {
+  const Listener::Report report = listener.report();
   if (report.counters.samples > 0) return;
   throw std::runtime_error(options_.file.path.string() + ": no sample came from the " + name +
                            " (" + line.name() + ")" +

@@ -20,7 +20,6 @@ namespace searig::app {
 namespace {
 
 using acquisition::RecorderState;
-using acquisition::Source;
 
 struct Options {
   std::string loadcell, module, json;
@@ -45,19 +44,6 @@ void end_on_signals() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-bool simulated(const std::string& name) {
-  return name == "sim:";
-}
-
-/// Simulated devices share one motion; a real device beside a simulated one is taken as it is.
-std::pair<std::unique_ptr<Source>, std::unique_ptr<Source>> open_sources(const Options& options) {
-  const bool module = simulated(options.module), loadcell = simulated(options.loadcell);
-  SimulatedSources rig = simulated_sources(module, loadcell);
-  if (!module) rig.module = acquisition::open_source(options.module);
-  if (!loadcell) rig.loadcell = acquisition::open_source(options.loadcell);
-  return {std::move(rig.module), std::move(rig.loadcell)};
-}
-
 acquisition::RecorderOptions recorder_options(const Options& options) {
   acquisition::RecorderOptions out;
   out.file.path = options.out;
@@ -74,15 +60,16 @@ acquisition::RecorderOptions recorder_options(const Options& options) {
     out.calibration = text;
     if (!out.lever_arm_m) out.lever_arm_m = calibration.lever_arm_m;
   }
-  if (!out.lever_arm_m && simulated(options.loadcell))
+  if (!out.lever_arm_m && options.loadcell == simulated)
     out.lever_arm_m = estimator::twin::LeverParameters{}.arm_m;
   return out;
 }
 
 void run(const Options& options) {
   end_on_signals();
-  auto [module, loadcell] = open_sources(options);
-  acquisition::Recorder recorder(recorder_options(options), std::move(module), std::move(loadcell));
+  SimulatedSources rig = open_rig(options.module, options.loadcell);
+  acquisition::Recorder recorder(recorder_options(options), std::move(rig.module),
+                                 std::move(rig.loadcell));
   RecorderState state;
   {
     ProgressLine line;

@@ -43,15 +43,40 @@ void LiveSignals::take(const acquisition::Columns& columns) {
 }
 
 void LiveSignals::take(const acquisition::SampleRow& row) {
-  if (row.device == StreamId::loadcell) {
-    if (force_ == 0) return;
-    loadcell_s_.push_back(row.t_s());
-    signals_.loadcell.torque_nm.push_back(row.values[force_] * lever_arm_m_);
-    signals_.loadcell.t_s.push_back(map_.to_module(row.t_s()));
-    return;
+  row.device == StreamId::loadcell ? take_loadcell(row) : take_module(row);
+}
+
+void LiveSignals::take_loadcell(const acquisition::SampleRow& row) {
+  if (force_ == 0) return;
+  estimator::LoadcellSignals& loadcell = signals_.loadcell;
+  if (row.run() != loadcell_run_) {  // the map was about the clock before
+    loadcell_run_ = row.run();
+    has_map_ = false;
+    loadcell_s_.clear();
   }
+  // Until the clocks are known, as if nothing took time on its way.
+  const auto& module_s = signals_.module.t_s;
+  if (!has_map_ && module_s.empty()) return;
+  const double t_s = has_map_ ? map_.to_module(row.t_s()) + start_.shift_s
+                              : module_s.back() + row.host_s() - start_.last_host_s;
+  if (!loadcell.t_s.empty() && t_s <= loadcell.t_s.back()) return;
+  loadcell_s_.push_back(row.t_s());
+  loadcell.t_s.push_back(t_s);
+  loadcell.torque_nm.push_back(row.values[force_] * lever_arm_m_);
+}
+
+void LiveSignals::take_module(const acquisition::SampleRow& row) {
   estimator::ModuleSignals& module = signals_.module;
-  module.t_s.push_back(row.t_s());
+  if (row.run() != start_.run && !module.t_s.empty()) {
+    start_.shift_s = module.t_s.back() + (row.host_s() - start_.last_host_s) - row.t_s();
+    has_map_ = false;  // it was about the clock before
+    loadcell_s_.clear();
+  }
+  start_.run = row.run();
+  const double t_s = row.t_s() + start_.shift_s;
+  if (!module.t_s.empty() && t_s <= module.t_s.back()) return;
+  start_.last_host_s = row.host_s();
+  module.t_s.push_back(t_s);
   for (const auto& [place, channel] : module_channels_) channel->push_back(row.values[place]);
   if (input_ != 0 && output_ != 0)
     module.deflection_rad.push_back(row.values[input_] - row.values[output_]);
@@ -59,9 +84,38 @@ void LiveSignals::take(const acquisition::SampleRow& row) {
 
 void LiveSignals::place(const acquisition::ClockMap& map) {
   map_ = map;
+  has_map_ = true;
   signals_.clock_ci95_s = map.ci95_s;
+  auto& t_s = signals_.loadcell.t_s;
+  const std::size_t first = t_s.size() - loadcell_s_.size();
   for (std::size_t i = 0; i < loadcell_s_.size(); ++i)
-    signals_.loadcell.t_s[i] = map.to_module(loadcell_s_[i]);
+    t_s[first + i] = map.to_module(loadcell_s_[i]) + start_.shift_s;
+}
+
+std::vector<std::vector<double>*> LiveSignals::module_columns() {
+  estimator::ModuleSignals& m = signals_.module;
+  std::vector<std::vector<double>*> columns{&m.t_s};
+  for (const auto& [place, channel] : module_channels_) columns.push_back(channel);
+  if (input_ != 0 && output_ != 0) columns.push_back(&m.deflection_rad);
+  return columns;
+}
+
+std::size_t LiveSignals::keep_last(double seconds) {
+  const auto older = [seconds](const std::vector<double>& t_s) {
+    return t_s.empty()
+               ? 0
+               : std::lower_bound(t_s.begin(), t_s.end(), t_s.back() - seconds) - t_s.begin();
+  };
+  const auto module = older(signals_.module.t_s);
+  for (auto* column : module_columns()) column->erase(column->begin(), column->begin() + module);
+  auto& loadcell = signals_.loadcell;
+  const auto gone = older(loadcell.t_s);
+  const auto unmapped = static_cast<std::ptrdiff_t>(loadcell.t_s.size() - loadcell_s_.size());
+  loadcell_s_.erase(loadcell_s_.begin(),
+                    loadcell_s_.begin() + std::max<std::ptrdiff_t>(0, gone - unmapped));
+  loadcell.t_s.erase(loadcell.t_s.begin(), loadcell.t_s.begin() + gone);
+  loadcell.torque_nm.erase(loadcell.torque_nm.begin(), loadcell.torque_nm.begin() + gone);
+  return static_cast<std::size_t>(module);
 }
 
 }  // namespace searig::app

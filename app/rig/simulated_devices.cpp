@@ -1,6 +1,10 @@
 #include "app/rig/simulated_devices.h"
 
+#include <unistd.h>
+
+#include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -33,7 +37,7 @@ SimulatedDevice start(const std::filesystem::path& path, std::vector<std::string
     arguments.emplace_back("--stepped");
   else
     arguments.insert(arguments.end(), {"--start", std::to_string(start_s)});
-  SimulatedDevice device{std::make_unique<acquisition::ChildProcess>(path, arguments), {}};
+  SimulatedDevice device{std::make_shared<acquisition::ChildProcess>(path, arguments), {}};
   device.address = device.process->hear();
   if (device.address.empty())
     throw std::runtime_error(path.string() + " ended as soon as it was started.");
@@ -61,11 +65,23 @@ class Owned : public Source {
 
 }  // namespace
 
+/// A name under which the board is found again after it was unplugged, when its terminal is
+/// another.
+std::string link_for_board() {
+  static std::atomic<int> boards{0};
+  const auto name = "searig-board-" + std::to_string(getpid()) + "-" + std::to_string(++boards);
+  return (std::filesystem::temp_directory_path() / name).string();
+}
+
 SimulatedDevice start_board(const DeviceOptions& options, bool stepped, double start_s) {
-  return start(program("searig-board", "it needs avr-gcc, the Arduino core for AVR and simavr"),
-               {"--force", "twin:" + std::to_string(options.seed), "--skew-ppm",
-                std::to_string(options.board_skew_ppm)},
-               stepped, start_s);
+  const std::string link = link_for_board();
+  SimulatedDevice board =
+      start(program("searig-board", "it needs avr-gcc, the Arduino core for AVR and simavr"),
+            {"--force", "twin:" + std::to_string(options.seed), "--skew-ppm",
+             std::to_string(options.board_skew_ppm), "--link", link},
+            stepped, start_s);
+  board.address = link;
+  return board;
 }
 
 SimulatedDevice start_module(const DeviceOptions& options, bool stepped, double start_s) {
@@ -91,16 +107,29 @@ SimulatedSources simulated_sources(bool module, bool loadcell, const DeviceOptio
   if (loadcell) {
     SimulatedDevice board = start_board(options, false, start_s);
     auto source = open_board(board);
+    sources.board_process = board.process;
     sources.loadcell = std::make_unique<Owned>(std::move(board), std::move(source));
   }
   if (module) {
     SimulatedDevice process = start_module(options, false, start_s);
     auto source = open_module(process);
+    sources.module_process = process.process;
     sources.module = std::make_unique<Owned>(std::move(process), std::move(source));
   }
   std::this_thread::sleep_for(
       std::chrono::duration<double>(start_s - acquisition::host_now_s() - 0.01));
   return sources;
+}
+
+SimulatedSources open_rig(const std::string& module, const std::string& loadcell,
+                          const DeviceOptions& options) {
+  const bool no_module = module == simulated, no_loadcell = loadcell == simulated;
+  if (!no_module && !no_loadcell)
+    return {acquisition::open_source(module), acquisition::open_source(loadcell), {}, {}};
+  SimulatedSources rig = simulated_sources(no_module, no_loadcell, options);
+  if (!no_module) rig.module = acquisition::open_source(module);
+  if (!no_loadcell) rig.loadcell = acquisition::open_source(loadcell);
+  return rig;
 }
 
 }  // namespace searig::app

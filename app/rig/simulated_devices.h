@@ -4,12 +4,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "acquisition/source/child_process.h"
 #include "acquisition/source/source.h"
 #include "app/rig/link.h"
 
 namespace searig::app {
+
+/// The name of a source that is simulated.
+inline constexpr const char* simulated = "sim:";
 
 struct DeviceOptions {
   std::uint64_t seed = 1;  ///< of the experiment: the same one is the same motion
@@ -24,7 +28,7 @@ struct DeviceOptions {
 
 /// A device that runs while this object lives.
 struct SimulatedDevice {
-  std::unique_ptr<acquisition::ChildProcess> process;
+  std::shared_ptr<acquisition::ChildProcess> process;
   std::string address;  ///< where it is to be heard: a pseudo terminal, or udp:HOST:PORT
 };
 
@@ -41,9 +45,17 @@ std::unique_ptr<acquisition::Source> open_module(const SimulatedDevice& module);
 struct SimulatedSources {
   std::unique_ptr<acquisition::Source> module;
   std::unique_ptr<acquisition::Source> loadcell;
+  /// The processes behind them, for commands ("unplug", "hold 19.6"); null where there is none.
+  std::shared_ptr<acquisition::ChildProcess> module_process, board_process;
 };
 
 /// Devices in real time, which end with their sources; each is only started if it is wanted.
 SimulatedSources simulated_sources(bool module, bool loadcell, const DeviceOptions& options = {});
+
+/// The sources of a rig by their names: "sim:" is simulated, the rest as acquisition::open_source
+/// has it. Simulated devices share one motion; a real device beside a simulated one is taken as it
+/// is. Throws with one sentence.
+SimulatedSources open_rig(const std::string& module, const std::string& loadcell,
+                          const DeviceOptions& options = {});
 
 }  // namespace searig::app

@@ -43,9 +43,15 @@ bool Bench::obey(const line::Command& command, double host_s) {
     stalled_until_s_ = host_s + *command.number;
     return true;
   }
+  if (command.word == "hold" && command.number) {
+    board_.hold(*command.number);
+    return true;
+  }
   if (command.number) return false;
   if (command.word == "reset") {
     board_.reset();
+  } else if (command.word == "release") {
+    board_.hold({});
   } else if (command.word == "unplug") {
     terminal_.unplug();
   } else if (command.word == "plug") {

@@ -24,7 +24,8 @@ class Bench {
   /// is due.
   void run_until(double host_s);
 
-  /// drop SHARE, double SHARE, flip SHARE, stall SECONDS, reset, unplug, plug. Whether it is one.
+  /// drop SHARE, double SHARE, flip SHARE, stall SECONDS, hold NEWTON (in place of the motion),
+  /// release, reset, unplug, plug. Whether it is one.
   bool obey(const line::Command& command, double host_s);
 
   const acquisition::LineFaults& faults() const { return faults_; }

@@ -38,7 +38,8 @@ int parse(int argc, char** argv, Options& options) {
   CLI::App app{
       "A simulated Arduino with a load cell: runs the real firmware on a pseudo terminal.\n"
       "Commands on standard input: drop SHARE, double SHARE, flip SHARE (of bits),\n"
-      "stall SECONDS, reset, unplug, plug. Each is answered by 'ok' or 'error: WHY'."};
+      "stall SECONDS, hold NEWTON (in place of the motion), release, reset, unplug, plug.\n"
+      "Each is answered by 'ok' or 'error: WHY'."};
   app.footer("Example:\n  searig-board --link /tmp/loadcell --force sine:20,0.5 --skew-ppm -2000");
   app.add_option("--sensor", options.sensor, "hx711 or analogue")
       ->check(CLI::IsMember({"hx711", "analogue"}))

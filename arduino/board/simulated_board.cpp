@@ -79,7 +79,7 @@ void SimulatedBoard::connect() {
   const auto period = static_cast<avr_cycle_count_t>(cycles_per_s_ / settings_.hx711_hz);
   hx711_ = std::make_unique<Hx711Chip>(
       avr, kDataPin, kClockPin, period, [this](avr_cycle_count_t cycle) {
-        return settings_.counts_at_rest + settings_.counts_per_newton * force_(seconds(cycle));
+        return settings_.counts_at_rest + settings_.counts_per_newton * force_n(seconds(cycle));
       });
 }
 
@@ -91,7 +91,7 @@ void SimulatedBoard::on_sent(avr_irq_t*, std::uint32_t byte, void* self) {
 
 void SimulatedBoard::on_conversion(avr_irq_t*, std::uint32_t, void* self) {
   auto* const board = static_cast<SimulatedBoard*>(self);
-  const double force = board->force_(board->seconds(board->avr_->cycle + kHeld));
+  const double force = board->force_n(board->seconds(board->avr_->cycle + kHeld));
   const double mv = std::clamp(0.5 * kSupply + board->settings_.mv_per_newton * force, 0.0,
                                static_cast<double>(kSupply));
   avr_raise_irq(avr_io_getirq(board->avr_.get(), AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_ADC0),

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -53,6 +54,9 @@ class SimulatedBoard {
   /// What the board has sent since the last call.
   std::vector<SentByte> take_sent();
 
+  /// A force that stands still in place of the motion's, N, as a known weight is; none: the motion.
+  void hold(std::optional<double> force_n) { held_n_ = force_n; }
+
   /// The reset button.
   void reset();
 
@@ -74,9 +78,11 @@ class SimulatedBoard {
     return static_cast<double>(cycle) / cycles_per_s_;
   }
   void connect();
+  double force_n(double true_s) const { return held_n_ ? *held_n_ : force_(true_s); }
 
   BoardSettings settings_;
   Force force_;
+  std::optional<double> held_n_;
   double cycles_per_s_;  ///< true seconds
   std::unique_ptr<avr_t, Destroy> avr_;
   std::unique_ptr<Hx711Chip> hx711_;

@@ -43,7 +43,7 @@ struct Settings {
   std::vector<DeviceSettings> devices;
   std::string model_toml;
   std::string calibration;  ///< the load cell's, as calibration/ writes it, or empty
-  std::string recorded;     ///< of an imported recording: what was said of how it came to be
+  std::string recorded;     ///< what was said of how it came to be: by an import, by the user
 };
 
 /// "host", "clock" or "velocity", and back; InputError as below where it is none of them.

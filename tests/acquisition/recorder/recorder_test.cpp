@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <mutex>
 #include <thread>
 
 #include "acquisition/recording/mcap/read_mcap.h"
@@ -138,6 +140,86 @@ TEST(Recorder, ASilentDeviceIsNamedAndTheOtherKept) {
     EXPECT_TRUE(says(error.what(), "no sample came from the load cell (fake:)")) << error.what();
   }
   EXPECT_TRUE(std::filesystem::exists(file));
+}
+
+/// Keeps what a listener hands on.
+class Kept : public EntrySink {
+ public:
+  std::size_t push(std::vector<Entry>& batch) override {
+    const std::lock_guard lock(mutex_);
+    for (Entry& entry : batch)
+      if (const auto* row = std::get_if<SampleRow>(&entry)) counts_ += row->device == device;
+    batch.clear();
+    return 0;
+  }
+  std::size_t samples() {
+    const std::lock_guard lock(mutex_);
+    return counts_;
+  }
+  StreamId device = StreamId::module;
+
+ private:
+  std::mutex mutex_;
+  std::size_t counts_ = 0;
+};
+
+TEST(Recorder, BeginsAndEndsWhileTheLinesRunOn) {
+  const TemporaryFolder folder;
+  const auto lines =
+      std::make_shared<Lines>(std::make_unique<FakeSource>(wire::Type::module_sample, 1),
+                              std::make_unique<FakeSource>(wire::Type::loadcell_sample, 1));
+  Kept view;
+  const auto listener =
+      std::make_shared<Listener>(StreamId::module, Framing::stream, std::nullopt, view);
+  lines->module.add(listener);
+  lines->start();
+  const std::atomic<bool> stop{false};
+  for (const char* name : {"a.mcap", "b.mcap"}) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    Recorder recorder(options_for(folder.path() / name, 0.3), lines);
+    (void)recorder.run(stop);
+  }
+  const std::size_t seen = view.samples();
+  lines->module.remove(listener);
+  const std::size_t at_the_end = view.samples();
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_EQ(view.samples(), at_the_end);
+  lines->stop();
+
+  const Recording a = read_recording(folder.path() / "a.mcap");
+  const Recording b = read_recording(folder.path() / "b.mcap");
+  EXPECT_EQ(a.cut_off + b.cut_off, "");
+  EXPECT_GT(a.module.channel("seq").front(), 20.0);  // it began in the middle
+  EXPECT_GT(b.module.channel("seq").front(), a.module.channel("seq").back());
+  EXPECT_GT(seen, a.module.t_s.size() + b.module.t_s.size());
+  for (const Recording* one : {&a, &b}) {
+    const auto& seq = one->module.channel("seq");
+    for (std::size_t i = 1; i < seq.size(); ++i) ASSERT_EQ(seq[i], seq[i - 1] + 1.0);
+    bool connected = false;
+    for (const Event& event : one->events) connected = connected || event.kind == "connected";
+    EXPECT_TRUE(connected);
+  }
+}
+
+TEST(Recorder, WhatAUserMarksIsInTheFile) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "a.mcap";
+  auto options = options_for(file, 1e9);
+  options.notes = "the stiff spring";
+  Recorder recorder(options, std::make_unique<FakeSource>(wire::Type::module_sample, 1),
+                    std::make_unique<FakeSource>(wire::Type::loadcell_sample, 1));
+  std::atomic<bool> stop{false};
+  (void)recorder.run(stop, [&](const RecorderState& now) {
+    if (now.module.samples > 50) {
+      recorder.mark("marker", "here");
+      stop = true;
+    }
+  });
+  const Recording read = read_recording(file);
+  EXPECT_EQ(read.recorded, "the stiff spring");
+  EXPECT_TRUE(std::any_of(read.events.begin(), read.events.end(), [](const Event& event) {
+    return event.kind == "marker" && event.text == "here";
+  }));
 }
 
 }  // namespace
