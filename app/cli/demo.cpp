@@ -91,7 +91,8 @@ std::vector<fs::path> take_pictures(const Options& options, const fs::path& reco
   };
   try {
     const double seconds = std::min(options.seconds, 20.0);
-    take("desktop-live.png", {"--live", "--seconds", std::to_string(seconds)});
+    take("desktop-live.png",
+         {"--as-live", recording.string(), "--seconds", std::to_string(seconds)});
     take("desktop-recording.png", {recording.string()});
   } catch (const std::runtime_error& error) {
     std::cerr << "searig: no pictures of the window: " << error.what() << '\n';

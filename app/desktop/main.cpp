@@ -1,6 +1,7 @@
 // searig-desktop: the window. Exit 0 done, 1 the work failed, 2 wrong use.
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QFontDatabase>
 #include <fstream>
 #include <iostream>
@@ -8,6 +9,7 @@
 
 #include "app/desktop/layout_description.h"
 #include "app/desktop/live/live_page.h"
+#include "app/desktop/live/live_plots.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/qt_messages.h"
 #include "app/desktop/theme.h"
@@ -17,7 +19,7 @@ namespace {
 using namespace searig::app::desktop;
 
 struct Options {
-  std::string recording;
+  std::string recording, as_live;
   bool live = false;
   double seconds = 20.0;
   bool offscreen = false;
@@ -35,9 +37,13 @@ void describe(CLI::App& app, Options& options) {
       "  searig-desktop --live\n"
       "  searig-desktop --live --seconds 30 --offscreen --screenshot window.png");
   auto* recording = app.add_option("RECORDING", options.recording, "Recording folder to open");
-  app.add_flag("--live", options.live, "Start the simulated rig")->excludes(recording);
+  auto* live =
+      app.add_flag("--live", options.live, "Connect the simulated rig")->excludes(recording);
+  app.add_option("--as-live", options.as_live, "Show a recording as it looked live")
+      ->excludes(recording)
+      ->excludes(live);
   app.add_option("--seconds", options.seconds,
-                 "With --live and --screenshot: how much of the experiment has passed")
+                 "With --as-live, or --live and --screenshot: how much of it has passed")
       ->check(CLI::Range(0.0, 3600.0));
   auto* picture =
       app.add_option("--screenshot", options.screenshot, "Write a picture of the window and leave");
@@ -63,14 +69,38 @@ Theme theme_of(const Options& options) {
   return options.theme == "system" ? Theme::of_system() : Theme(options.theme == "dark");
 }
 
+/// What was asked for; one sentence where it cannot be had.
+std::string begin(MainWindow& window, const Options& options) {
+  if (!options.recording.empty() && !window.open_recording(options.recording))
+    return window.page_in_front().message().toStdString();
+  try {
+    if (!options.as_live.empty()) window.live().show_as_live(options.as_live, options.seconds);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  if (options.live) window.live().connect_rig();
+  window.show_page(QString::fromStdString(options.page));
+  return {};
+}
+
+/// Until the rig has run so long; it says itself why it does not.
+bool watch_rig(LivePage& live, double seconds) {
+  constexpr double until_connected_s = 20.0;
+  QElapsedTimer since;
+  since.start();
+  const auto waited_s = [&] { return 1e-3 * double(since.elapsed()); };
+  while (live.plots().now_s() < seconds && waited_s() < seconds + until_connected_s)
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  return live.plots().now_s() >= seconds;
+}
+
 int take_screenshot(MainWindow& window, const Options& options) {
   window.show();
   QApplication::processEvents();  // lays the window out at its size
-  if (!options.recording.empty() && !window.open_recording(options.recording))
-    return fail(window.page_in_front().message().toStdString());
-  if (options.live) window.live().start_simulated(options.seconds);
-  window.show_page(QString::fromStdString(options.page));
-  QApplication::processEvents();
+  if (const std::string why = begin(window, options); !why.empty()) return fail(why);
+  if (options.live && !watch_rig(window.live(), options.seconds))
+    return fail(window.live().message().toStdString());
+  for (int pass = 0; pass < 3; ++pass) QApplication::processEvents();  // layouts within layouts
   if (!window.grab().save(QString::fromStdString(options.screenshot))) {
     return fail("The picture " + options.screenshot + " cannot be written.");
   }
@@ -108,16 +138,11 @@ int main(int argc, char** argv) {
   }
   const Theme theme = theme_of(options);
   theme.apply(application);
-  QFont font = QApplication::font();
-  font.setPointSizeF(10.0);
-  QApplication::setFont(font);
   MainWindow window(theme);
   window.resize(options.width, options.height);
   if (!options.screenshot.empty()) return take_screenshot(window, options);
 
   window.show();
-  if (!options.recording.empty()) window.open_recording(options.recording);
-  if (options.live) window.live().start_simulated();
-  window.show_page(QString::fromStdString(options.page));
+  if (const std::string why = begin(window, options); !why.empty()) std::cerr << why << '\n';
   return QApplication::exec();
 }

@@ -74,6 +74,7 @@ void MainWindow::turn_to_page() {
   for (int i = 0; i < tabs_->count(); ++i)
     menuBar()->removeAction(static_cast<Page*>(tabs_->widget(i))->menu()->menuAction());
   menuBar()->addMenu(page_in_front().menu());
+  page_in_front().setFocus();
   caption_changed();
 }
 

@@ -8,6 +8,7 @@ namespace searig::app::desktop {
 Page::Page(const QString& name, Shell& shell)
     : shell_(shell), menu_(new QMenu(QStringLiteral("&") + name, this)) {
   setObjectName(name);
+  setFocusPolicy(Qt::StrongFocus);
 }
 
 QAction* Page::add_action(const char* words, const QKeySequence& key) {

@@ -37,6 +37,8 @@ class Page : public QWidget {
   /// What it has to say to the user now: the next step, or what went wrong.
   virtual QString message() const { return {}; }
   virtual void set_theme(const Theme& theme) = 0;
+  /// Words that grow do not make the window grow.
+  QSize minimumSizeHint() const override { return {900, 600}; }
 
  protected:
   /// An action in the menu; the key is shown beside it.

@@ -1,6 +1,7 @@
 #include "app/desktop/theme.h"
 
 #include <QApplication>
+#include <QFont>
 #include <QPalette>
 #include <QStyleFactory>
 
@@ -14,6 +15,9 @@ Theme Theme::of_system() {
 
 void Theme::apply(QApplication& application) const {
   application.setStyle(QStyleFactory::create("Fusion"));
+  QFont font = QApplication::font();
+  font.setPointSizeF(10.0);
+  QApplication::setFont(font);
   const QColor text = colour(Hue::ink), base = colour(ground), accent = colour(Hue::blue);
   const QColor window = dark_ ? base.lighter(130) : base.darker(104);
   QPalette palette;

@@ -28,8 +28,9 @@ LiveVerdict verdict_of(const LiveNews& news, bool has_model) {
   if (!news.loadcell.connected) return away("LOAD CELL", news.loadcell);
   if (news.module.counters.samples == 0) return away("MODULE", news.module);
   if (news.loadcell.counters.samples == 0) return away("LOAD CELL", news.loadcell);
-  if (!news.clock)
-    return {Trust::unknown, "CLOCKS NOT KNOWN YET", "Two seconds of both devices will tell."};
+  constexpr double settled_s = 10.0;
+  if (!news.clock || (!news.clock->trusted && news.now_s < settled_s))
+    return {Trust::unknown, "CLOCKS SETTLE", "Ten seconds of both devices tell how they stand."};
   if (!news.clock->trusted) return {Trust::no, "CLOCKS NOT TRUSTED", news.clock->why};
   if (!has_model)
     return {Trust::yes, "DATA TRUSTED",

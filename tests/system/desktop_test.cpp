@@ -64,12 +64,12 @@ bool drawn_at(const Picture& picture, const std::string& plot, double t, double 
 }
 
 TEST(Desktop, ShowsTheSimulatedRigLive) {
-  const Picture picture = picture_of("--live --seconds 12");
+  const Picture picture = picture_of("--live --seconds 6");
   EXPECT_EQ(picture.image.width(), 1280);
   EXPECT_EQ(picture.image.height(), 800);
-  EXPECT_GT(count(picture, "torque", app::Hue::blue), 500);
-  EXPECT_GT(count(picture, "weight", app::Hue::purple), 500);
-  EXPECT_GT(count(picture, "stiffness", app::Hue::green), 300);
+  EXPECT_GT(count(picture, "torque", app::Hue::blue), 250);
+  EXPECT_GT(count(picture, "weight", app::Hue::purple), 250);
+  EXPECT_GT(count(picture, "stiffness", app::Hue::green), 150);
 }
 
 TEST(Desktop, CurvesOfARecordingAreWhereTheDataAre) {

@@ -2,29 +2,44 @@
 
 #include <QAction>
 #include <QMenu>
-#include <QVBoxLayout>
-#include <algorithm>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <chrono>
 #include <utility>
 
-#include "app/desktop/replay/history_view.h"
+#include "app/desktop/live/calibration_panel.h"
+#include "app/desktop/live/connect_panel.h"
+#include "app/desktop/live/live_plots.h"
+#include "app/desktop/live/record_panel.h"
+#include "app/rig/as_live.h"
 
 namespace searig::app::desktop {
 namespace {
 
 constexpr int frame_ms = 33;  // 30 frames per second
 
+template <typename T>
+bool ready(const std::future<T>& future) {
+  return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
 }  // namespace
 
-LivePage::LivePage(Shell& shell)
-    : Page(QStringLiteral("Live"), shell), view_(new HistoryView(this)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(view_);
-  view_->say(
-      QStringLiteral("Start the simulated rig with Ctrl+R, or open a recording with Ctrl+O."));
+LivePage::LivePage(Shell& shell) : Page(QStringLiteral("Live"), shell) {
+  make_layout();
   make_actions();
+  say(
+      QStringLiteral("Connect with Ctrl+R: the simulated rig, or choose your devices at the right. "
+                     "A recording opens with Ctrl+O."));
+  timer_.setTimerType(Qt::PreciseTimer);
   timer_.setInterval(frame_ms);
   connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
+  timer_.start();
+}
+
+/// Whoever closes the window waits until a recording is whole.
+LivePage::~LivePage() {
+  timer_.stop();
 }
 
 void LivePage::make_actions() {
@@ -33,72 +48,147 @@ void LivePage::make_actions() {
     connect(made, &QAction::triggered, this, action);
     return made;
   };
-  add("&Simulated rig", QKeySequence(int(Qt::CTRL) | Qt::Key_R), [this] { start_simulated(); });
-  pause_ = add("&Pause (data go on)", QKeySequence(Qt::Key_Space), [this] {
-    const Range range = view_->range();
-    if (!pause_->isChecked()) span_s_ = std::clamp(range.high - range.low, 1.0, 600.0);
-  });
-  pause_->setCheckable(true);
-  pause_->setEnabled(false);
+  connect_ = add("&Connect", QKeySequence(int(Qt::CTRL) | Qt::Key_R),
+                 [this] { connected() ? disconnect_rig() : connect_rig(); });
+  record_action_ = add("&Record", QKeySequence(Qt::Key_R), [this] { toggle_recording(); });
+  add("&Mark", QKeySequence(Qt::Key_M), [this] { mark(); });
+  calibrate_ = add("Cali&brate the load cell…", QKeySequence(Qt::Key_C), [this] { calibrate(); });
   menu()->addSeparator();
-  add("Zoom &in", QKeySequence(Qt::Key_Plus), [this] { zoom(0.5); });
-  add("Zoom &out", QKeySequence(Qt::Key_Minus), [this] { zoom(2.0); });
-  add("&Earlier", QKeySequence(Qt::Key_Left), [this] {
-    if (!following()) view_->move(-0.25);
+  pause_ = add("&Pause (data go on)", QKeySequence(Qt::Key_Space),
+               [this] { plots_->pause(pause_->isChecked()); });
+  pause_->setCheckable(true);
+  add("Zoom &in", QKeySequence(Qt::Key_Plus), [this] { plots_->zoom(0.5); });
+  add("Zoom &out", QKeySequence(Qt::Key_Minus), [this] { plots_->zoom(2.0); });
+  add("&Earlier", QKeySequence(Qt::Key_Left), [this] { plots_->move(-0.25); });
+  add("&Later", QKeySequence(Qt::Key_Right), [this] { plots_->move(0.25); });
+  add("&All", QKeySequence(Qt::Key_Home), [this] { plots_->show_all(); });
+  connect(choice_->button(), &QPushButton::clicked, connect_, &QAction::trigger);
+  connect(record_->button(), &QPushButton::clicked, record_action_, &QAction::trigger);
+  connect(record_->marker(), &QPushButton::clicked, this, [this] { mark(); });
+  connect(record_->open(), &QPushButton::clicked, this, [this] {
+    if (rig_) this->shell().open_recording(rig_->recording().file);
   });
-  add("&Later", QKeySequence(Qt::Key_Right), [this] {
-    if (!following()) view_->move(0.25);
-  });
-  add("&All", QKeySequence(Qt::Key_Home), [this] { view_->show_all(); });
 }
 
-bool LivePage::following() const {
-  return rig_ && !pause_->isChecked();
+void LivePage::connect_rig() {
+  if (connected() || connecting_.valid()) return;
+  RigOptions options;
+  try {
+    options = choice_->options();
+  } catch (const std::exception& error) {
+    return say(QString::fromUtf8(error.what()));
+  }
+  options.program = SEARIG_PROGRAM;
+  choice_->show_state(ConnectPanel::State::connecting);
+  say(QStringLiteral("Connecting…"));
+  connecting_ =
+      std::async(std::launch::async, [options] { return std::make_unique<RigSession>(options); });
 }
 
-void LivePage::start_simulated(double ahead_s) {
-  timer_.stop();
-  auto rig = std::make_unique<LiveRig>();
-  view_->show_history(&rig->history(), true);
-  rig_ = std::move(rig);  // the view has let go of the old one's columns
-  ahead_s_ = ahead_s;
-  pause_->setEnabled(true);
+void LivePage::take_rig() {
+  try {
+    rig_ = connecting_.get();
+  } catch (const std::exception& error) {
+    choice_->show_state(ConnectPanel::State::away);
+    return say(QString::fromUtf8(error.what()));
+  }
+  has_model_ = rig_->options().model.has_value();
+  marks_ = 0;
+  plots_->clear();
   pause_->setChecked(false);
-  view_->say({});
-  // As many steps as a live view would have taken, so that both show the same.
-  for (double t = 0.0; t < ahead_s; t += 1e-3 * frame_ms) rig_->run_until(t);
-  since_start_.start();
-  timer_.start();
-  tick();
+  news_ = {};
+  choice_->show_state(ConnectPanel::State::connected);
+  say({});
   shell().caption_changed();
 }
 
-void LivePage::tick() {
-  rig_->run_until(ahead_s_ + 1e-3 * static_cast<double>(since_start_.elapsed()));
-  view_->show_numbers(rig_->recording(), rig_->clock(), true);
-  if (!following()) return;
-  const auto& t_s = rig_->history().t_s;
-  const double until_s = std::max(span_s_, t_s.empty() ? 0.0 : t_s.back());
-  view_->show_range({until_s - span_s_, until_s});
+void LivePage::disconnect_rig() {
+  if (!connected()) return;
+  close_rig();
+  choice_->show_state(ConnectPanel::State::away);
+  news_ = {};
+  say(QStringLiteral(
+      "Disconnected. What was shown stays until the next connection; Ctrl+R connects "
+      "again."));
+  show_numbers();
+  shell().caption_changed();
 }
 
-void LivePage::zoom(double factor) {
-  if (following())
-    span_s_ = std::clamp(span_s_ * factor, 1.0, 600.0);
-  else
-    view_->zoom(factor);
+/// Devices are let go of in the background: their threads may keep us waiting.
+void LivePage::close_rig() {
+  views_->setCurrentWidget(plots_);
+  closing_.push_back(
+      std::async(std::launch::async,
+                 [rig = std::shared_ptr<RigSession>(std::move(rig_))]() mutable { rig.reset(); }));
+}
+
+void LivePage::show_as_live(const std::filesystem::path& recording, double until_s) {
+  LiveNews news = as_live(recording, until_s);
+  has_model_ = !news.more.t_s.empty();
+  shown_ = true;
+  plots_->clear();
+  plots_->take(news);
+  plots_->draw();
+  note_events(news);
+  news_ = std::move(news);
+  say({});
+  show_numbers();
+}
+
+void LivePage::toggle_recording() {
+  if (!connected()) return say(QStringLiteral("Connect first, with Ctrl+R; then R records."));
+  if (rig_->recording().running) return rig_->stop_recording();
+  try {
+    std::filesystem::create_directories(record_->folder());
+    rig_->start_recording(record_->next_file(), record_->notes());
+    say({});
+  } catch (const std::exception& error) {
+    say(QString::fromUtf8(error.what()));
+  }
+}
+
+void LivePage::mark() {
+  if (!connected() || !rig_->recording().running)
+    return say(QStringLiteral("A mark goes into a recording: start one with R."));
+  const std::string words = "mark " + std::to_string(++marks_);
+  rig_->mark(words);
+  plots_->mark(words);
+}
+
+void LivePage::calibrate() {
+  if (!connected()) return say(QStringLiteral("Connect the load cell first, with Ctrl+R."));
+  calibration_->begin(record_->folder(), rig_->options().lever_arm_m.value_or(1.0));
+  views_->setCurrentWidget(calibration_);
+}
+
+void LivePage::tick() {
+  if (connecting_.valid() && ready(connecting_)) take_rig();
+  std::erase_if(closing_, [](const auto& closing) { return ready(closing); });
+  if (again_ && closing_.empty()) {
+    again_ = false;
+    connect_rig();
+  }
+  if (!connected()) return;
+  LiveNews news = rig_->news();
+  note_events(news);
+  plots_->take(news);
+  if (views_->currentWidget() == calibration_)
+    calibration_->take(news, *rig_);
+  else if (isVisible() && !plots_->paused())
+    plots_->draw();
+  news.more = {};
+  news_ = std::move(news);
+  if (frames_++ % 6 == 0) show_numbers();  // faster nobody reads
 }
 
 QString LivePage::caption() const {
-  return rig_ ? QStringLiteral("Simulated rig") : QString();
-}
-
-QString LivePage::message() const {
-  return view_->said();
+  return connected() ? QStringLiteral("Live") : QString();
 }
 
 void LivePage::set_theme(const Theme& theme) {
-  view_->set_theme(theme);
+  theme_ = theme;
+  plots_->set_theme(theme);
+  show_numbers();
 }
 
 }  // namespace searig::app::desktop

@@ -61,9 +61,16 @@ void SpanImage::line(const std::vector<Range>& spans, const QColor& colour, doub
   const double pixels = width * scale_;
   widen(spans, std::max(1, int(std::lround(pixels))));
   const int size = std::min(int(wide_.size()), image_.width());
-  for (int i = 0; i < size; ++i)
-    if (wide_[i].low <= wide_[i].high)
-      fill(i, row_of(wide_[i].high) - pixels / 2, row_of(wide_[i].low) + pixels / 2, colour);
+  for (int i = 0; i < size; ++i) {
+    if (wide_[i].low > wide_[i].high) continue;
+    double top = row_of(wide_[i].high) - pixels / 2, bottom = row_of(wide_[i].low) + pixels / 2;
+    if (pixels < 2.0) {  // a thin line shared by two rows would be pale in both
+      const double by = std::round(top) - top;
+      top += by;
+      bottom += by;
+    }
+    fill(i, top, bottom, colour);
+  }
 }
 
 void SpanImage::area(const std::vector<Range>& low, const std::vector<Range>& high,

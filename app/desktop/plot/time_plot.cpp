@@ -18,6 +18,7 @@
 namespace searig::app::desktop {
 namespace {
 
+constexpr int half_label_px = 24;
 constexpr int axis_width_px = 46;  // the same in every plot, so that their time axes line up
 
 QwtText small_text(const QString& words) {
@@ -59,7 +60,6 @@ TimePlot::TimePlot(const QString& title, const QString& y_label, QWidget* parent
       grid_(new QwtPlotGrid),
       curves_(new SpanItem) {
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(8, 6, 12, 2);
   layout->setSpacing(2);
   layout->addWidget(caption_);
   layout->addWidget(plot_, 1);
@@ -81,7 +81,9 @@ TimePlot::TimePlot(const QString& title, const QString& y_label, QWidget* parent
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::Base);
   grid_->attach(plot_);
+  curves_->setZ(grid_->z() + 1.0);
   curves_->attach(plot_);
+  show_time_axis(true);
 }
 
 const QWidget& TimePlot::canvas() const {
@@ -154,8 +156,11 @@ void TimePlot::follow_y() {
   y_fixed_ = false;
 }
 
+/// With or without, the canvas ends at the same place: half a label before the right edge.
 void TimePlot::show_time_axis(bool shown) {
   plot_->enableAxis(QwtPlot::xBottom, shown);
+  plot_->axisWidget(QwtPlot::xBottom)->setMinBorderDist(0, half_label_px);
+  layout()->setContentsMargins(8, 6, shown ? 4 : 4 + half_label_px, 2);
 }
 
 void TimePlot::show_range(Range time_s) {
@@ -197,7 +202,8 @@ void TimePlot::rename_curve(std::size_t place, const QString& name) {
 
 void TimePlot::write_caption() {
   QString text = QStringLiteral("<b>%1</b>").arg(title_.toHtmlEscaped());
-  for (const auto& entry : legend_) {
+  for (auto item = legend_.rbegin(); item != legend_.rend(); ++item) {  // what is above first
+    const Entry& entry = *item;
     if (entry.name.isEmpty()) continue;
     text += QStringLiteral("&nbsp;&nbsp;&nbsp; <span style='color:%1'><b>%2</b></span> %3")
                 .arg(over(theme_.colour(entry.hue), theme_.colour(ground), entry.opacity),

@@ -36,4 +36,16 @@ inline std::unique_ptr<MainWindow> shown_window(bool dark = false) {
   return window;
 }
 
+/// For whoever looks at them: into the folder that SEARIG_PICTURES names, if it does.
+inline void keep_picture(QWidget& window, const char* name) {
+  const QString folder = qEnvironmentVariable("SEARIG_PICTURES");
+  if (!folder.isEmpty()) window.grab().save(folder + "/desktop-" + name + ".png");
+}
+
+/// Lets the window live until something is so, at most that long.
+template <typename Condition>
+void wait_until(double at_most_s, Condition condition) {
+  for (int i = 0; i < int(100.0 * at_most_s) && !condition(); ++i) QTest::qWait(10);
+}
+
 }  // namespace searig::app::desktop

@@ -1,5 +1,6 @@
-// searig-bench-desktop [FRAMES]: three plots of ten minutes at 1 kHz, drawn without a display while
-// each frame brings the samples of 33 ms; milliseconds per frame. QT_SCALE_FACTOR=2 for HiDPI.
+// searig-bench-desktop [FRAMES [SECONDS]]: what a frame costs with ten minutes of 1 kHz, while each
+// frame brings the samples of 33 ms; then the whole window recording so many seconds at 1 kHz.
+// Without a display. QT_SCALE_FACTOR=2 for HiDPI.
 #include <QApplication>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -8,9 +9,16 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <random>
+#include <string>
 #include <vector>
 
+#include "app/desktop/live/connect_panel.h"
+#include "app/desktop/live/live_page.h"
+#include "app/desktop/live/live_plots.h"
+#include "app/desktop/live/record_panel.h"
+#include "app/desktop/main_window.h"
 #include "app/desktop/plot/time_plot.h"
 #include "app/desktop/qt_messages.h"
 
@@ -49,32 +57,29 @@ double share(std::vector<double>& values, double at) {
   return values[std::size_t(at * double(values.size() - 1))];
 }
 
-void measure(const char* what, const std::vector<TimePlot*>& plots, std::vector<Column>& columns,
-             double span_s, int frames) {
-  std::vector<double> ms, cpu;
-  for (int frame = 0; frame < frames; ++frame) {
-    const std::size_t size = columns[0].t_s.size() + per_frame;
-    for (std::size_t i = 0; i < columns.size(); ++i) columns[i].grow(size, 3.0 + double(i));
+/// Milliseconds of each frame, on the wall and of the processor.
+class Frames {
+ public:
+  template <typename Frame>
+  void take(Frame frame) {
     const auto start = Clock::now();
     const double start_cpu_ms = cpu_ms();
-    const double now_s = columns[0].t_s.back();
-    for (TimePlot* plot : plots) plot->show_range({now_s - span_s, now_s});
+    frame();
     QApplication::processEvents();  // paints
-    cpu.push_back(cpu_ms() - start_cpu_ms);
-    ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    cpu_.push_back(cpu_ms() - start_cpu_ms);
+    wall_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
   }
-  std::printf("%-26s median %6.2f ms, 95th percentile %6.2f ms; of the processor %6.2f, %6.2f ms\n",
-              what, share(ms, 0.5), share(ms, 0.95), share(cpu, 0.5), share(cpu, 0.95));
-}
+  void print(const char* what) {
+    std::printf("%-26s median %6.2f ms, 95th percentile %6.2f ms; of the processor %6.2f, %6.2f\n",
+                what, share(wall_, 0.5), share(wall_, 0.95), share(cpu_, 0.5), share(cpu_, 0.95));
+  }
 
-}  // namespace
+ private:
+  std::vector<double> wall_, cpu_;
+};
 
-int main(int argc, char** argv) {
-  qputenv("QT_QPA_PLATFORM", "offscreen");
-  qInstallMessageHandler(drop_noise);
-  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
-  QApplication application(argc, argv);
-  const int frames = argc > 1 ? std::atoi(argv[1]) : 200;
+/// Three plots, and nothing else.
+void measure_plots(int frames) {
   QWidget window;
   window.resize(1280, 800);
   auto* layout = new QVBoxLayout(&window);
@@ -91,10 +96,131 @@ int main(int argc, char** argv) {
   }
   window.show();
   QApplication::processEvents();
-  std::printf("three plots, %zu points each, %d x %d pixels, scale %g, %d frames\n", points,
-              window.width(), window.height(), window.devicePixelRatioF(), frames);
-  measure("the last ten minutes", plots, columns, 600.0, frames);
-  measure("the last minute", plots, columns, 60.0, frames);
-  measure("the last twenty seconds", plots, columns, 20.0, frames);
+  std::printf("three plots, %zu points each, %d x %d, scale %g\n", points, window.width(),
+              window.height(), window.devicePixelRatioF());
+  for (const double span_s : {600.0, 60.0, 20.0}) {
+    Frames measured;
+    for (int frame = 0; frame < frames; ++frame) {
+      const std::size_t size = columns[0].t_s.size() + per_frame;
+      for (std::size_t i = 0; i < columns.size(); ++i) columns[i].grow(size, 3.0 + double(i));
+      const double now_s = columns[0].t_s.back();
+      measured.take([&] {
+        for (TimePlot* plot : plots) plot->show_range({now_s - span_s, now_s});
+      });
+    }
+    measured.print(("  the last " + std::to_string(int(span_s)) + " s").c_str());
+  }
+}
+
+/// As a rig would send them: [from, to) of the telemetry, the load cell at 50 Hz.
+LiveNews news_of(std::size_t from, std::size_t to) {
+  static std::mt19937_64 random(2);
+  std::normal_distribution<double> noise(0.0, 0.05);
+  LiveNews news;
+  LiveColumns& c = news.more;
+  for (std::size_t i = from; i < to; ++i) {
+    const double t = double(i) / rate_hz, torque = 5.0 * std::sin(3.0 * t);
+    c.t_s.push_back(t);
+    c.torque_nm.push_back(torque + noise(random));
+    c.low_nm.push_back(torque - 0.3);
+    c.high_nm.push_back(torque + 0.3);
+    c.clock_low_nm.push_back(torque - 0.5);
+    c.clock_high_nm.push_back(torque + 0.5);
+    c.weight.push_back(std::abs(std::sin(t)));
+    c.k_nm_per_rad.push_back(40.0 + noise(random));
+    c.k_low_nm_per_rad.push_back(39.0);
+    c.k_high_nm_per_rad.push_back(41.0);
+    if (i % 20 != 0) continue;
+    c.loadcell_t_s.push_back(t);
+    c.loadcell_nm.push_back(torque + noise(random));
+    auto& residuals = c.residuals[i / 2000 % c.residuals.size()];
+    residuals.t_s.push_back(t);
+    residuals.nm.push_back(noise(random));
+  }
+  news.now_s = double(to) / rate_hz;
+  return news;
+}
+
+/// The live page's four plots with their bands and regimes, ten minutes of them kept.
+void measure_live_plots(int frames) {
+  LivePlots plots;
+  plots.resize(988, 680);
+  plots.set_theme(Theme(false));
+  plots.show();
+  LiveNews first = news_of(0, points);
+  plots.take(first);
+  std::printf("the live page's four plots, %zu samples kept\n", points);
+  std::size_t at = points;
+  for (const bool all : {true, false}) {
+    Frames measured;
+    if (all)
+      plots.show_all();
+    else
+      for (int i = 0; i < 5; ++i) plots.zoom(0.5);
+    for (int frame = 0; frame < frames; ++frame, at += per_frame) {
+      LiveNews news = news_of(at, at + per_frame);
+      measured.take([&] {
+        plots.take(news);
+        plots.draw();
+      });
+    }
+    measured.print(all ? "  the last 600 s" : "  the last 19 s");
+  }
+}
+
+/// The whole window, recording the simulated rig with its real firmware at 1 kHz.
+void measure_recording(double seconds) {
+  char name[] = "/tmp/searig-bench-XXXXXX";
+  const std::filesystem::path folder = mkdtemp(name);
+  {
+    MainWindow window{Theme(false)};
+    window.show();
+    LivePage& page = window.live();
+    page.recorder().set_folder(folder);
+    DeviceOptions simulation;
+    simulation.module_rate_hz = rate_hz;
+    page.choice().set_simulation(simulation);
+    page.connect_rig();
+    const auto wait = [&](auto until) {
+      while (!until()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    };
+    wait([&] { return page.connected() && page.plots().now_s() > 3.0; });
+    page.toggle_recording();
+    const double start_cpu_ms = cpu_ms(), start_s = searig::acquisition::host_now_s();
+    std::vector<double> late_ms;
+    double shown_s = page.newest_host_s();
+    wait([&] {
+      if (page.newest_host_s() != shown_s) {
+        QApplication::processEvents();  // paints
+        // The first sample that the frame before did not have came right behind its newest.
+        late_ms.push_back(1e3 * (searig::acquisition::host_now_s() - shown_s));
+        shown_s = page.newest_host_s();
+      }
+      return searig::acquisition::host_now_s() > start_s + seconds;
+    });
+    const double passed_s = searig::acquisition::host_now_s() - start_s;
+    std::printf("recording at 1 kHz, %.0f s: %.1f frames a second, %.1f %% of a core\n", passed_s,
+                double(late_ms.size()) / passed_s, 0.1 * (cpu_ms() - start_cpu_ms) / passed_s);
+    std::printf(
+        "  a sample is drawn at most %.0f ms after its arrival in half of the frames, "
+        "%.0f ms in 95 %%, %.0f ms in all\n",
+        share(late_ms, 0.5), share(late_ms, 0.95), share(late_ms, 1.0));
+  }
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  qInstallMessageHandler(drop_noise);
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication application(argc, argv);
+  Theme(false).apply(application);
+  const int frames = argc > 1 ? std::atoi(argv[1]) : 200;
+  const double seconds = argc > 2 ? std::atof(argv[2]) : 30.0;
+  measure_plots(frames);
+  measure_live_plots(frames);
+  if (seconds > 0.0) measure_recording(seconds);
   return 0;
 }
