@@ -48,13 +48,18 @@ Window window_about(std::span<const double> t, std::size_t centre, double half_w
   return w;
 }
 
+Derivatives derivatives_at(std::span<const double> t, std::span<const double> x, std::size_t centre,
+                           double half_width_s) {
+  const auto [from, to] = window_about(t, centre, half_width_s);
+  return local_cubic(t.subspan(from, to - from), x.subspan(from, to - from), t[centre]);
+}
+
 Kinematics differentiate(std::span<const double> t, std::span<const double> x,
                          double half_width_s) {
   const std::size_t n = t.size();
   Kinematics out{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
   for (std::size_t i = 0; i < n; ++i) {
-    const auto [from, to] = window_about(t, i, half_width_s);
-    const auto d = local_cubic(t.subspan(from, to - from), x.subspan(from, to - from), t[i]);
+    const auto d = derivatives_at(t, x, i, half_width_s);
     out.value[i] = d.value;
     out.first[i] = d.first;
     out.second[i] = d.second;

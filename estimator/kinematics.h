@@ -25,7 +25,11 @@ struct Window {
 };
 Window window_about(std::span<const double> t, std::size_t centre, double half_width_s);
 
-/// The same for every sample of a channel, over the window about it. Shapes: all vectors as long as
+/// The cubic through the window about one sample, at it.
+Derivatives derivatives_at(std::span<const double> t, std::span<const double> x, std::size_t centre,
+                           double half_width_s);
+
+/// The same for every sample of a channel. Shapes: all vectors as long as
 /// t.
 struct Kinematics {
   std::vector<double> value, first, second;

@@ -9,11 +9,15 @@ namespace {
 /// The line touches two arrivals; by this many further ones the floor shows how thin it is.
 constexpr double kNextToFloor = 8.0;
 
-std::vector<double> delays(std::span<const double> t_s, std::span<const double> host_s) {
-  std::vector<double> delay(t_s.size());
-  for (std::size_t i = 0; i < t_s.size(); ++i) delay[i] = host_s[i] - t_s[i];
-  return delay;
-}
+/// The quantiles are taken over no more arrivals than this, evenly spread: a few hours of a fast
+/// stream need not be in memory once more.
+constexpr std::size_t kArrivals = 1 << 20;
+
+/// How long after the device's time each row arrived, on two clocks.
+struct Delays {
+  std::span<const double> t_s, host_s;
+  double operator[](std::size_t i) const { return host_s[i] - t_s[i]; }
+};
 
 double quantile(std::vector<double>& values, double share) {
   const auto place =
@@ -23,10 +27,12 @@ double quantile(std::vector<double>& values, double share) {
 }
 
 /// Fills in how far the arrivals lie above the line, and lowers it by half the wait unseen.
-HostLine judged(Line line, std::span<const double> t_s, std::span<const double> host_s,
-                std::span<const double> delay) {
-  std::vector<double> above(t_s.size());
-  for (std::size_t i = 0; i < t_s.size(); ++i) above[i] = delay[i] - line(t_s[i]);
+HostLine judged(Line line, std::span<const double> t_s, std::span<const double> host_s) {
+  const Delays delay{t_s, host_s};
+  const std::size_t every = (t_s.size() + kArrivals - 1) / kArrivals;
+  std::vector<double> above;
+  above.reserve(t_s.size() / every + 1);
+  for (std::size_t i = 0; i < t_s.size(); i += every) above.push_back(delay[i] - line(t_s[i]));
   HostLine fit;
   fit.seconds = t_s.back() - t_s.front();
   fit.rows = t_s.size();
@@ -70,21 +76,21 @@ double HostLine::ci95_s() const {
 }
 
 HostLine fit_host_line(std::span<const double> t_s, std::span<const double> host_s) {
-  const std::vector<double> delay = delays(t_s, host_s);
-  HostLine fit = judged(line_under(t_s, delay), t_s, host_s, delay);
+  HostLine fit = judged(line_under(t_s, Delays{t_s, host_s}), t_s, host_s);
   const std::size_t half = t_s.size() / 2;
   if (half < 2) return fit;
-  const std::span<const double> all(delay);
-  const Line early = line_under(t_s.first(half), all.first(half));
-  const Line late = line_under(t_s.subspan(half), all.subspan(half));
+  const auto line_of = [](std::span<const double> t, std::span<const double> host) {
+    return line_under(t, Delays{t, host});
+  };
+  const Line early = line_of(t_s.first(half), host_s.first(half));
+  const Line late = line_of(t_s.subspan(half), host_s.subspan(half));
   fit.halves_apart_s = std::abs(early(fit.delay.at) - late(fit.delay.at));
   return fit;
 }
 
 HostLine fit_host_line(std::span<const double> t_s, std::span<const double> host_s, double slope) {
-  const std::vector<double> delay = delays(t_s, host_s);
-  return judged(line_under(t_s, delay, slope, 0.5 * (t_s.front() + t_s.back())), t_s, host_s,
-                delay);
+  const double middle = 0.5 * (t_s.front() + t_s.back());
+  return judged(line_under(t_s, Delays{t_s, host_s}, slope, middle), t_s, host_s);
 }
 
 }  // namespace searig::acquisition

@@ -5,16 +5,24 @@
 
 #include "acquisition/error.h"
 #include "acquisition/recording/csv_row.h"
+#include "acquisition/recording/mapped_file.h"
 #include "acquisition/recording/text_file.h"
 
 namespace searig::acquisition {
 
-CsvFile::CsvFile(std::filesystem::path path, bool has_header)
-    : path_(std::move(path)), text_(read_text_file(path_)) {
-  if (std::string_view(text_).substr(0, 3) == "\xEF\xBB\xBF") body_ = 3;  // byte order mark
+CsvFile::CsvFile(std::filesystem::path path, bool has_header) : path_(std::move(path)) {
+  std::error_code not_there;
+  if (std::filesystem::is_regular_file(path_, not_there)) {
+    mapped_ = std::make_shared<MappedFile>(path_);
+    text_ = mapped_->bytes();
+  } else {
+    copied_ = std::make_shared<std::string>(read_text_file(path_));
+    text_ = *copied_;
+  }
+  if (text_.substr(0, 3) == "\xEF\xBB\xBF") body_ = 3;  // byte order mark
   if (text_.find_first_not_of(" \t\r\n", body_) == std::string::npos)
     throw InputError(path_.string() + ", line 1, column 1: the file is empty.");
-  if (std::string_view(text_).substr(0, 1000).find('\0') != std::string_view::npos)
+  if (text_.substr(0, 1000).find('\0') != std::string_view::npos)
     throw InputError(path_.string() +
                      ", line 1, column 1: this is not text in UTF-8, but binary or UTF-16.");
   if (!has_header) {
@@ -51,10 +59,49 @@ void CsvFile::refuse_missing(std::string_view column) const {
                    ".");
 }
 
-CsvRows CsvFile::read(std::span<const std::size_t> columns, Faults faults) const {
+namespace {
+
+constexpr std::size_t kPiece = 4096;  // rows
+
+/// slots[column] is where its value goes.
+std::vector<std::size_t> slots_of(std::span<const std::size_t> columns) {
   const std::size_t last = *std::max_element(columns.begin(), columns.end());
   std::vector<std::size_t> slots(last + 1, kNotAsked);
   for (std::size_t slot = columns.size(); slot-- > 0;) slots[columns[slot]] = slot;
+  return slots;
+}
+
+}  // namespace
+
+bool CsvFile::read_pieces(std::span<const std::size_t> columns,
+                          const std::function<void(CsvRows& piece)>& take) const {
+  const std::vector<std::size_t> slots = slots_of(columns);
+  const std::size_t expected = std::max(header_.size(), slots.size());
+  CsvRows piece;
+  piece.columns.resize(columns.size());
+  std::vector<double> values(columns.size());
+  std::size_t begin = body_;
+  while (begin < text_.size()) {
+    const std::string_view line = line_at(text_, begin, begin);
+    const RowResult row = parse_row(line, separator_, slots, values);
+    if (row.fields != expected || row.bad != Field::number) {
+      if (trimmed(line).empty()) continue;
+      return false;
+    }
+    for (std::size_t slot = 0; slot < columns.size(); ++slot)
+      piece.columns[slot].push_back(values[slots[columns[slot]]]);
+    if (piece.columns.front().size() < kPiece) continue;
+    take(piece);
+    for (auto& column : piece.columns) column.clear();
+    if (mapped_) mapped_->forget(begin);
+  }
+  take(piece);
+  return true;
+}
+
+CsvRows CsvFile::read(std::span<const std::size_t> columns, Faults faults) const {
+  const std::vector<std::size_t> slots = slots_of(columns);
+  const std::size_t last = slots.size() - 1;
   const std::size_t expected = std::max(header_.size(), last + 1);
 
   CsvRows rows;

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,7 +30,9 @@ struct CsvRows {
   std::size_t garbled = 0;
 };
 
-/// One CSV file in memory. The separator is a comma, or what the header has instead (semicolon,
+class MappedFile;
+
+/// One CSV file. The separator is a comma, or what the header has instead (semicolon,
 /// tab); lines that begin with # before the header are comments; quotes are understood in the
 /// header only. Every error is an InputError that names file, line and column.
 class CsvFile {
@@ -48,6 +52,11 @@ class CsvFile {
   /// Reads the columns of these numbers. Only rows in which all of them are finite are kept.
   CsvRows read(std::span<const std::size_t> columns, Faults faults) const;
 
+  /// The same without fault in it, a few thousand rows at a time, so that the file need not fit
+  /// into memory. False, and nothing more, at the first row that cannot be used.
+  bool read_pieces(std::span<const std::size_t> columns,
+                   const std::function<void(CsvRows& piece)>& take) const;
+
   /// "column force_n", or "column 3" where the file has no header.
   std::string column_name(std::size_t column) const;
 
@@ -57,7 +66,9 @@ class CsvFile {
                        const std::string& first_fault) const;
 
   std::filesystem::path path_;
-  std::string text_;
+  std::shared_ptr<const MappedFile> mapped_;   // the text is here
+  std::shared_ptr<const std::string> copied_;  // or, of a pipe, here
+  std::string_view text_;
   std::vector<std::string> header_;
   std::size_t body_ = 0;       // where the first row begins
   std::size_t body_line_ = 1;  // and on which line

@@ -29,6 +29,11 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
   if (start_ == MAP_FAILED) refuse(std::strerror(error));
 }
 
+void MappedFile::forget(std::size_t bytes) const {
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  if (bytes >= page) madvise(start_, bytes / page * page, MADV_DONTNEED);
+}
+
 MappedFile::~MappedFile() {
   if (start_) munmap(start_, size_);
 }

@@ -18,6 +18,9 @@ class MappedFile {
   /// As long as the file was when it was opened; a recorder may append meanwhile.
   std::string_view bytes() const { return {static_cast<const char*>(start_), size_}; }
 
+  /// Gives the memory of the first `bytes` back; whoever reads them again has them read anew.
+  void forget(std::size_t bytes) const;
+
  private:
   void* start_ = nullptr;
   std::size_t size_ = 0;

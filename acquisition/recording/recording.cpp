@@ -6,6 +6,7 @@
 #include "acquisition/recording/hebilog/read_hebilog.h"
 #include "acquisition/recording/mapping.h"
 #include "acquisition/recording/mcap/read_mcap.h"
+#include "acquisition/recording/module_rows.h"
 #include "acquisition/recording/stream_reader.h"
 
 namespace searig::acquisition {
@@ -84,7 +85,76 @@ Stream module_of(const StreamMapping& mapping, Recording& recording) {
   return std::move(log.module);
 }
 
+/// All but the module's rows and further devices.
+Recording frame_of(const fs::path& folder, const fs::path& toml, const RecordingMapping& mapping) {
+  Recording recording;
+  recording.path = folder;
+  recording.name = fs::absolute(toml).lexically_normal().parent_path().filename().string();
+  recording.gear_ratio = mapping.gear_ratio;
+  recording.lever_arm_m = mapping.lever_arm_m.value_or(1.0);
+  return recording;
+}
+
+void refuse_without_lever(const Recording& recording, const RecordingMapping& mapping,
+                          const fs::path& toml) {
+  if (recording.loadcell.channel("torque_nm").empty() && !mapping.lever_arm_m)
+    throw InputError(toml.string() +
+                     ": loadcell.lever_arm_m is missing; column force_n needs it to be a torque.");
+}
+
+class CsvModuleRows : public ModuleRows {
+ public:
+  explicit CsvModuleRows(StreamPieces pieces) : pieces_(std::move(pieces)) {}
+  void go_through(const std::vector<std::string>& channels, const Take& take) const override {
+    pieces_.go_through(channels, take);
+  }
+  bool has(std::string_view channel) const override { return pieces_.has(channel); }
+
+ private:
+  StreamPieces pieces_;
+};
+
+/// Times and arrivals of all rows.
+void read_times(const ModuleRows& rows, Stream& module) {
+  rows.go_through({}, [&](const Stream& piece) {
+    module.t_s.insert(module.t_s.end(), piece.t_s.begin(), piece.t_s.end());
+    module.host_s.insert(module.host_s.end(), piece.host_s.begin(), piece.host_s.end());
+  });
+}
+
+/// At most so many rows can a CSV file have that takes no less for a row than its first ones do:
+/// room for them all, so that it need not be doubled on the way.
+void reserve_times(const StreamMapping& mapping, Stream& module) {
+  std::error_code unknown;
+  constexpr std::size_t least_bytes = 30;  // two times with microseconds
+  const std::size_t rows = fs::file_size(mapping.file, unknown) / least_bytes;
+  if (!unknown) module.t_s.reserve(rows), module.host_s.reserve(rows);
+}
+
 }  // namespace
+
+std::optional<OpenedRecording> open_recording(const fs::path& path) {
+  if (mcap::is_mcap(path)) return mcap::open_mcap(path);
+  const fs::path toml = toml_of(path);
+  const RecordingMapping mapping = read_mapping(toml);
+  if (hebilog::is_hebilog(mapping.module.file) || !mapping.devices.empty()) return std::nullopt;
+  StreamPieces pieces(mapping.module);
+  const bool module_stamped = pieces.has("host_s");
+  OpenedRecording out{frame_of(path, toml, mapping),
+                      std::make_unique<CsvModuleRows>(std::move(pieces))};
+  Recording& recording = out.recording;
+  recording.loadcell = read_stream(mapping.loadcell);
+  refuse_without_lever(recording, mapping, toml);
+  recording.module.name = mapping.module.name;
+  recording.module.file = mapping.module.file;
+  recording.module.host_latency = mapping.module.host_latency;
+  recording.one_clock = same_clock_column(mapping.module, mapping.loadcell) || !module_stamped ||
+                        recording.loadcell.host_s.empty();
+  if (recording.one_clock) return out;
+  reserve_times(mapping.module, recording.module);
+  read_times(*out.rows, recording.module);
+  return out;
+}
 
 const std::vector<double>& Stream::channel(std::string_view wanted) const {
   static const std::vector<double> none;
@@ -98,10 +168,7 @@ Recording read_recording(const fs::path& folder) {
   const fs::path toml = toml_of(folder);
   const RecordingMapping mapping = read_mapping(toml);
 
-  Recording recording;
-  recording.path = folder;
-  recording.name = fs::absolute(toml).lexically_normal().parent_path().filename().string();
-  recording.gear_ratio = mapping.gear_ratio;
+  Recording recording = frame_of(folder, toml, mapping);
   recording.module = module_of(mapping.module, recording);
   recording.loadcell = read_stream(mapping.loadcell);
   for (const DeviceMapping& mapped : mapping.devices) {
@@ -109,10 +176,7 @@ Recording read_recording(const fs::path& folder) {
     check(device, recording, toml);
     recording.devices.push_back(device);
   }
-  if (recording.loadcell.channel("torque_nm").empty() && !mapping.lever_arm_m)
-    throw InputError(toml.string() +
-                     ": loadcell.lever_arm_m is missing; column force_n needs it to be a torque.");
-  recording.lever_arm_m = mapping.lever_arm_m.value_or(1.0);
+  refuse_without_lever(recording, mapping, toml);
   recording.one_clock = same_clock_column(mapping.module, mapping.loadcell) ||
                         recording.module.host_s.empty() || recording.loadcell.host_s.empty();
   return recording;

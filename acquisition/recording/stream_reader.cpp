@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "acquisition/clock/device_clock.h"
@@ -70,20 +71,80 @@ void refuse_unsorted(const CsvFile& file, const CsvRows& rows, const ClockedRows
                    std::to_string(clocked.misplaced + clocked.doubled) + " rows in all.");
 }
 
-}  // namespace
-
-Stream read_stream(const StreamMapping& mapping) {
+CsvFile file_of(const StreamMapping& mapping) {
   const bool by_number =
       !mapping.native && std::all_of(mapping.columns.begin(), mapping.columns.end(), [](auto& c) {
         return std::holds_alternative<std::size_t>(c.column);
       });
-  const CsvFile file(mapping.file, !by_number);
+  return {mapping.file, !by_number};
+}
+
+/// The clock first.
+std::vector<ColumnMapping> columns_of(const StreamMapping& mapping, const CsvFile& file) {
   std::vector<ColumnMapping> columns =
       mapping.native ? native_columns(file, mapping.name) : mapping.columns;
   if (const std::string missing = missing_channel(mapping, columns); !missing.empty())
     file.refuse_missing(missing);
   std::partition(columns.begin(), columns.end(), [](auto& c) { return c.channel == "t_s"; });
+  return columns;
+}
 
+}  // namespace
+
+StreamPieces::StreamPieces(const StreamMapping& mapping)
+    : file_(file_of(mapping)), columns_(columns_of(mapping, file_)) {
+  column_numbers(file_, columns_);  // refuses what is missing
+}
+
+bool StreamPieces::has(std::string_view channel) const {
+  return std::ranges::find(columns_, channel, &ColumnMapping::channel) != columns_.end();
+}
+
+void StreamPieces::go_through(const std::vector<std::string>& channels,
+                              const ModuleRows::Take& take) const {
+  const auto wanted = [&](const ColumnMapping& column) {
+    return column.channel == "t_s" || column.channel == "host_s" ||
+           std::ranges::find(channels, column.channel) != channels.end();
+  };
+  std::vector<ColumnMapping> columns;
+  for (const ColumnMapping& column : columns_)
+    if (!checked_ || wanted(column)) columns.push_back(column);
+  Stream piece;
+  double last_s = -HUGE_VAL, last_seq = NAN;
+  const auto check = [&](const std::vector<double>& seq) {
+    for (const double t : piece.t_s) {
+      if (!(t > last_s)) throw NotInOrder();
+      last_s = t;
+    }
+    for (const double number : seq) {
+      if (number == last_seq) throw NotInOrder();
+      last_seq = number;
+    }
+  };
+  static const std::vector<double> none;
+  const bool clean = file_.read_pieces(column_numbers(file_, columns), [&](CsvRows& rows) {
+    piece.channels.clear();
+    const std::vector<double>* seq = &none;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      to_si(rows.columns[i], columns[i]);
+      if (columns[i].channel == "seq") seq = &rows.columns[i];
+      if (columns[i].channel == "t_s")
+        piece.t_s = rows.columns[i];
+      else if (columns[i].channel == "host_s")
+        piece.host_s = rows.columns[i];
+      else if (wanted(columns[i]))
+        piece.channels.push_back({columns[i].channel, rows.columns[i]});
+    }
+    check(*seq);
+    take(piece);
+  });
+  if (!clean) throw NotInOrder();
+  checked_ = true;
+}
+
+Stream read_stream(const StreamMapping& mapping) {
+  const CsvFile file = file_of(mapping);
+  const std::vector<ColumnMapping> columns = columns_of(mapping, file);
   const std::vector<std::size_t> numbers = column_numbers(file, columns);
   CsvRows rows = file.read(numbers, mapping.faults);
   for (std::size_t i = 0; i < columns.size(); ++i) to_si(rows.columns[i], columns[i]);

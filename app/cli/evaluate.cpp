@@ -2,11 +2,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/cli/batch_command.h"
 #include "app/cli/commands.h"
 #include "app/cli/evaluate_answer.h"
+#include "app/session/evaluate_recording.h"
 #include "app/session/session.h"
 #include "estimator/evaluation/evaluation.h"
 #include "estimator/physics/catalogue.h"
@@ -47,17 +49,11 @@ struct Options {
 };
 
 Outcome evaluate_one(const std::string& recording, const Options& options) {
-  const Session session = open_session(recording);
-  const auto model = find_model(recording, options.model);
-  EvaluationOutcome out{.name = name_of(recording),
-                        .path = recording,
-                        .evaluation = evaluate_session(session, model, options.evaluation()),
-                        .notes = {}};
-  out.notes = out.evaluation.notes;
-  if (!session.recording.cut_off.empty()) out.notes.push_back(session.recording.cut_off);
-  if (!session.clock.trusted) {
-    out.notes.push_back("the clocks are not to be trusted: " + session.clock.why);
-  }
+  EvaluatedRecording found = evaluate_recording(recording, options.model, options.evaluation());
+  const EvaluationOutcome out{.name = name_of(recording),
+                              .path = recording,
+                              .evaluation = std::move(found.evaluation),
+                              .notes = std::move(found.notes)};
   return {answer(out), words(out)};
 }
 

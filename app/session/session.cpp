@@ -20,15 +20,11 @@ using acquisition::PlacedRows;
 using acquisition::Recording;
 using acquisition::Stream;
 
-/// `supplied`: by further devices, at the same rows.
-estimator::ModuleSignals module_signals(const Stream& module, const PlacedRows& rows,
-                                        const std::vector<acquisition::Channel>& supplied) {
-  const auto take = [&](std::string_view name) {
-    const auto by_device = std::ranges::find(supplied, name, &acquisition::Channel::name);
-    return by_device != supplied.end() ? by_device->values : at_rows(module.channel(name), rows);
-  };
+/// take(name) gives a channel's values at t_s, or nothing.
+template <class Take>
+estimator::ModuleSignals module_signals(std::vector<double> t_s, Take take) {
   estimator::ModuleSignals signals;
-  signals.t_s = rows.t_s;
+  signals.t_s = std::move(t_s);
   signals.input_angle_rad = take("input_angle_rad");
   signals.output_angle_rad = take("output_angle_rad");
   signals.deflection_rad = take("deflection_rad");
@@ -48,7 +44,15 @@ estimator::ModuleSignals module_signals(const Stream& module, const PlacedRows& 
   return signals;
 }
 
-estimator::LoadcellSignals loadcell_signals(const Recording& recording, const PlacedRows& rows) {
+}  // namespace
+
+estimator::ModuleSignals signals_of(const acquisition::Stream& module) {
+  return module_signals(module.t_s, [&](std::string_view name) { return module.channel(name); });
+}
+
+estimator::LoadcellSignals loadcell_signals(const Recording& recording,
+                                            const acquisition::ClockMap& clock) {
+  const PlacedRows rows = acquisition::place_rows(recording.loadcell, clock.loadcell_runs);
   estimator::LoadcellSignals signals;
   signals.t_s = rows.t_s;
   signals.torque_nm = at_rows(recording.loadcell.channel("torque_nm"), rows);
@@ -58,8 +62,6 @@ estimator::LoadcellSignals loadcell_signals(const Recording& recording, const Pl
   }
   return signals;
 }
-
-}  // namespace
 
 Session open_session(const std::filesystem::path& recording) {
   return session_of(acquisition::read_recording(recording));
@@ -74,7 +76,6 @@ Session session_of(acquisition::Recording recording) {
                                   "hold the module against.");
   session.clock = acquisition::synchronise(session.recording);
   const Stream& module = session.recording.module;
-  const Stream& loadcell = session.recording.loadcell;
   for (const acquisition::Device& device : session.recording.devices)
     session.devices.push_back(acquisition::synchronise(session.recording, device));
   session.module_rows = covered_rows(session.recording, session.devices,
@@ -82,11 +83,13 @@ Session session_of(acquisition::Recording recording) {
   if (session.module_rows.rows.empty())
     throw acquisition::InputError(session.recording.path.string() +
                                   ": the further devices cover no row of the module.");
-  session.signals.module =
-      module_signals(module, session.module_rows,
-                     device_channels(session.recording, session.devices, session.module_rows));
-  session.signals.loadcell = loadcell_signals(
-      session.recording, acquisition::place_rows(loadcell, session.clock.loadcell_runs));
+  const auto supplied = device_channels(session.recording, session.devices, session.module_rows);
+  session.signals.module = module_signals(session.module_rows.t_s, [&](std::string_view name) {
+    const auto by_device = std::ranges::find(supplied, name, &acquisition::Channel::name);
+    return by_device != supplied.end() ? by_device->values
+                                       : at_rows(module.channel(name), session.module_rows);
+  });
+  session.signals.loadcell = loadcell_signals(session.recording, session.clock);
   session.signals.clock_ci95_s = session.clock.ci95_s;
   session.signals.gear_ratio = session.recording.gear_ratio;
   return session;

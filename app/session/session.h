@@ -30,6 +30,13 @@ Session open_session(const std::filesystem::path& recording);
 /// The same for a recording that is already in memory.
 Session session_of(acquisition::Recording recording);
 
+/// Rows that all stand on the module's clock already, in its order.
+estimator::ModuleSignals signals_of(const acquisition::Stream& module);
+
+/// The load cell on the module's clock.
+estimator::LoadcellSignals loadcell_signals(const acquisition::Recording& recording,
+                                            const acquisition::ClockMap& clock);
+
 /// Best fit, online and current. The estimator knows no file: what it refuses is said of the
 /// recording, by its path.
 estimator::Evaluation evaluate_session(const Session& session,

@@ -23,10 +23,11 @@ EstimatorResult from_online(const OnlineResult& online) {
   return out;
 }
 
-EstimatorResult from_states(EstimatorKind kind, const Signals& signals, const DriveTorque& drive,
-                            const SpringStates& states, const StateOptions& options) {
+EstimatorResult from_states(EstimatorKind kind, const Signals& signals,
+                            const std::vector<double>& drive_nm, const SpringStates& states,
+                            const StateOptions& options) {
   const ModuleSignals& module = signals.module;
-  const StateTrack track = track_states(module, drive.nm, kind, states, options);
+  const StateTrack track = track_states(module, drive_nm, kind, states, options);
   const auto& at = signals.loadcell.t_s;
   EstimatorResult out{
       .kind = kind,
@@ -41,7 +42,7 @@ EstimatorResult from_states(EstimatorKind kind, const Signals& signals, const Dr
 }  // namespace
 
 std::vector<EstimatorResult> compare_estimators(const Signals& signals, const Model* model,
-                                                const DriveTorque& drive,
+                                                const std::vector<double>& drive_nm,
                                                 const EvaluationOptions& options,
                                                 const OnlineResult& online,
                                                 std::vector<std::string>& notes) {
@@ -52,7 +53,7 @@ std::vector<EstimatorResult> compare_estimators(const Signals& signals, const Mo
     try {
       out.push_back(kind == EstimatorKind::paper && states.size() == 1
                         ? from_online(online)
-                        : from_states(kind, signals, drive, states, state_options));
+                        : from_states(kind, signals, drive_nm, states, state_options));
     } catch (const std::invalid_argument& why) {
       notes.push_back(std::string(name_of(kind)) + " is left out: " + why.what());
     }

@@ -6,10 +6,11 @@
 namespace searig::estimator {
 
 /// One result for each of options.estimators that can do it; notes say of the others why not.
-/// All start from the stiffness that the online estimate started from. The paper's filter for
-/// spring.linear alone is the online estimate itself.
+/// drive_nm is the torque of the drive at every sample. All start from the stiffness that the
+/// online estimate started from. The paper's filter for spring.linear alone is the online estimate
+/// itself.
 std::vector<EstimatorResult> compare_estimators(const Signals& signals, const Model* model,
-                                                const DriveTorque& drive,
+                                                const std::vector<double>& drive_nm,
                                                 const EvaluationOptions& options,
                                                 const OnlineResult& online,
                                                 std::vector<std::string>& notes);

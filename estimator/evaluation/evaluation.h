@@ -8,6 +8,7 @@
 
 #include "estimator/evaluation/drive_torque.h"
 #include "estimator/evaluation/score.h"
+#include "estimator/evaluation/telemetry.h"
 #include "estimator/filter/online_stiffness.h"
 #include "estimator/filter/state_estimator.h"
 #include "estimator/model/model.h"
@@ -45,7 +46,7 @@ struct OnlineResult {
   Score score;            ///< of k theta, with the k of that moment
   double trust_weight_s;  ///< the sum of trust weight times time over the recording
   std::optional<Convergence> convergence;
-  std::vector<OnlineEstimate> track;  ///< the estimate at every telemetry sample
+  std::vector<OnlineEstimate> track;  ///< at every telemetry sample; empty where that is streamed
 };
 
 /// One of the estimators that were asked for.
@@ -74,9 +75,17 @@ struct Evaluation {
 };
 
 /// All errors are taken at the load cell's own samples, of those that the module's telemetry
-/// covers: at one of its times, or between two without a gap. Throws std::invalid_argument with one
-/// sentence where there is nothing to compare with.
+/// covers: at one of its times, or between two without a gap.
+/// Throws std::invalid_argument with one sentence where there is nothing to compare with.
 Evaluation evaluate(const Signals& signals, const Model* model = nullptr,
                     const EvaluationOptions& options = {});
+
+/// The same of telemetry that is not in memory: it is gone through twice. The same to the bit but
+/// for drive.stribeck, whose exponential the compiler may round otherwise by the last bit.
+Evaluation evaluate(const Telemetry& telemetry, const LoadcellSignals& loadcell, double gear_ratio,
+                    const Model* model, const EvaluationOptions& options);
+
+/// Why only the whole in memory will do, or empty.
+std::string needs_whole(const Model* model, const EvaluationOptions& options);
 
 }  // namespace searig::estimator

@@ -2,17 +2,22 @@
 
 #include <cmath>
 
-#include "estimator/model/predict.h"
-
 namespace searig::estimator {
 
 namespace {
 
 constexpr double converged_within = 0.05;  // of the best fit
 
-std::optional<double> start(const Model* model, const EvaluationOptions& options,
-                            const std::optional<BestFit>& best_fit,
-                            std::vector<std::string>& notes) {
+OnlineOptions online_options(double initial_k, const EvaluationOptions& options) {
+  if (options.exactly_as_the_paper) return exactly_as_the_paper(initial_k);
+  return {.initial_k_nm_per_rad = initial_k};
+}
+
+}  // namespace
+
+std::optional<double> online_start(const Model* model, const EvaluationOptions& options,
+                                   const std::optional<BestFit>& best_fit,
+                                   std::vector<std::string>& notes) {
   if (options.initial_k_nm_per_rad) return options.initial_k_nm_per_rad;
   const auto believed = model ? model->get("spring.linear", "k_nm_per_rad") : std::nullopt;
   if (believed && *believed > 0) {
@@ -27,81 +32,54 @@ std::optional<double> start(const Model* model, const EvaluationOptions& options
   return std::nullopt;
 }
 
-std::vector<OnlineEstimate> track_of(const ModuleSignals& module, const DriveTorque& drive,
-                                     const OnlineOptions& options) {
-  OnlineStiffness online(options);
-  std::vector<OnlineEstimate> track;
-  track.reserve(module.t_s.size());
-  for (std::size_t i = 0; i < module.t_s.size(); ++i) {
-    online.push(module.t_s[i], module.deflection_rad[i], drive.nm[i]);
-    while (const auto estimate = online.next()) track.push_back(*estimate);
-  }
-  return track;
+OnlineRun::OnlineRun(double initial_k_nm_per_rad, const EvaluationOptions& options,
+                     const std::optional<BestFit>& best_fit, std::span<const double> loadcell_s,
+                     bool keep_track)
+    : online_(online_options(initial_k_nm_per_rad, options)),
+      k_at_(loadcell_s),
+      keep_track_(keep_track) {
+  out_.initial_k_nm_per_rad = initial_k_nm_per_rad;
+  out_.trust_weight_s = 0;
+  if (best_fit) best_k_ = best_fit->k_nm_per_rad;
 }
 
-// k theta at the load cell's samples, with the k of that moment.
-Score score_of(const Signals& signals, const std::vector<OnlineEstimate>& track) {
-  std::vector<double> t, k;
-  for (const OnlineEstimate& estimate : track) {
-    t.push_back(estimate.t_s);
-    k.push_back(estimate.k_nm_per_rad);
-  }
-  const auto& at = signals.loadcell.t_s;
-  auto torque = sample_at(signals.module.t_s, signals.module.deflection_rad, at);
-  const auto k_then = sample_at(t, k, at);
-  for (std::size_t i = 0; i < torque.size(); ++i) torque[i] *= k_then[i];
-  return score(torque, signals.loadcell.torque_nm);
+void OnlineRun::push(double t_s, double deflection_rad, double drive_nm) {
+  online_.push(t_s, deflection_rad, drive_nm);
+  while (const auto estimate = online_.next()) take(*estimate);
 }
 
-// Time and trust weight up to the last estimate that is further than 5 % from k.
-std::optional<Convergence> convergence_to(double k, const std::vector<OnlineEstimate>& track) {
-  Convergence out{0, 0};
-  double weight_s = 0;
-  for (std::size_t i = 0; i + 1 < track.size(); ++i) {
-    const double until = track[i + 1].t_s;
-    weight_s += track[i].weight * (until - track[i].t_s);
-    if (std::abs(track[i].k_nm_per_rad - k) <= converged_within * std::abs(k)) continue;
-    out = {until - track.front().t_s, weight_s};
-  }
-  if (std::abs(track.back().k_nm_per_rad - k) > converged_within * std::abs(k)) return std::nullopt;
-  return out;
+bool OnlineRun::near(double k_nm_per_rad) const {
+  return std::abs(k_nm_per_rad - *best_k_) <= converged_within * std::abs(*best_k_);
 }
 
-double total_weight_s(const std::vector<OnlineEstimate>& track) {
-  double sum = 0;
-  for (std::size_t i = 0; i + 1 < track.size(); ++i) {
-    sum += track[i].weight * (track[i + 1].t_s - track[i].t_s);
+/// Time and trust weight up to the last estimate that is further than 5 % from the best fit.
+void OnlineRun::take(const OnlineEstimate& estimate) {
+  if (before_) {
+    out_.trust_weight_s += before_->weight * (estimate.t_s - before_->t_s);
+    if (best_k_ && !near(before_->k_nm_per_rad))
+      so_far_ = {estimate.t_s - first_s_, out_.trust_weight_s};
+  } else {
+    first_s_ = estimate.t_s;
   }
-  return sum;
+  before_ = estimate;
+  k_at_.push(estimate.t_s, estimate.k_nm_per_rad);
+  if (keep_track_) out_.track.push_back(estimate);
 }
 
-}  // namespace
-
-std::optional<OnlineResult> follow_online(const Signals& signals, const Model* model,
-                                          const DriveTorque& drive,
-                                          const EvaluationOptions& options,
-                                          const std::optional<BestFit>& best_fit,
-                                          std::vector<std::string>& notes) {
-  const auto initial = start(model, options, best_fit, notes);
-  if (!initial) return std::nullopt;
-  OnlineOptions online{.initial_k_nm_per_rad = *initial};
-  if (options.exactly_as_the_paper) online = exactly_as_the_paper(*initial);
-
-  OnlineResult out;
-  out.initial_k_nm_per_rad = *initial;
-  out.track = track_of(signals.module, drive, online);
-  if (out.track.empty()) {
+std::optional<OnlineResult> OnlineRun::finish(const Survey& survey,
+                                              std::vector<std::string>& notes) {
+  if (!before_) {
     notes.push_back("too few finite samples: the online estimate is switched off");
     return std::nullopt;
   }
-  out.k_nm_per_rad = out.track.back().k_nm_per_rad;
-  out.score = score_of(signals, out.track);
-  out.trust_weight_s = total_weight_s(out.track);
-  if (out.trust_weight_s == 0) {
+  out_.k_nm_per_rad = before_->k_nm_per_rad;
+  auto torque = k_at_.finish();  // k theta, with the k of that moment
+  for (std::size_t i = 0; i < torque.size(); ++i) torque[i] *= survey.deflection_rad[i];
+  out_.score = score(torque, survey.loadcell.torque_nm);
+  if (out_.trust_weight_s == 0)
     notes.push_back("no sample was trusted: the online estimate stayed where it started");
-  }
-  if (best_fit) out.convergence = convergence_to(best_fit->k_nm_per_rad, out.track);
-  return out;
+  if (best_k_ && near(before_->k_nm_per_rad)) out_.convergence = so_far_;
+  return std::move(out_);
 }
 
 }  // namespace searig::estimator

@@ -1,16 +1,50 @@
 // The online estimate over a whole recording.
 #pragma once
 
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
 #include "estimator/evaluation/evaluation.h"
+#include "estimator/evaluation/stream_sampler.h"
+#include "estimator/evaluation/survey.h"
 
 namespace searig::estimator {
 
-/// Runs the online estimator over the recording. It starts from options.initial_k, else from the
-/// model's stiffness, else from the best fit; notes say which. Nothing where no start can be had.
-std::optional<OnlineResult> follow_online(const Signals& signals, const Model* model,
-                                          const DriveTorque& drive,
-                                          const EvaluationOptions& options,
-                                          const std::optional<BestFit>& best_fit,
-                                          std::vector<std::string>& notes);
+/// Where the online estimate starts: options.initial_k, else the model's stiffness, else the best
+/// fit; notes say which. Nothing where no start can be had.
+std::optional<double> online_start(const Model* model, const EvaluationOptions& options,
+                                   const std::optional<BestFit>& best_fit,
+                                   std::vector<std::string>& notes);
+
+/// The online estimator along the telemetry, and what becomes of it, without the track of it being
+/// kept unless asked for.
+class OnlineRun {
+ public:
+  /// `loadcell_s` must outlive it.
+  OnlineRun(double initial_k_nm_per_rad, const EvaluationOptions& options,
+            const std::optional<BestFit>& best_fit, std::span<const double> loadcell_s,
+            bool keep_track);
+
+  void push(double t_s, double deflection_rad, double drive_nm);
+
+  /// After the last sample. Nothing, and a note, where none could be used.
+  std::optional<OnlineResult> finish(const Survey& survey, std::vector<std::string>& notes);
+
+ private:
+  void take(const OnlineEstimate& estimate);
+  bool near(double k_nm_per_rad) const;
+
+  OnlineStiffness online_;
+  OnlineResult out_;
+  std::optional<double> best_k_;
+  StreamSampler k_at_;
+  bool keep_track_;
+  std::optional<OnlineEstimate> before_;
+  double first_s_ = 0;
+  Convergence so_far_{0, 0};
+};
 
 }  // namespace searig::estimator

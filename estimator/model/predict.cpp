@@ -12,7 +12,7 @@ namespace {
 
 /// Half width of the local cubic that differentiates angles: wide enough that encoder steps do not
 /// rule the acceleration, narrow enough to pass what an actuator does (-3 dB near 20 Hz).
-constexpr double half_width_s = 0.024;
+constexpr double half_width_s = drive_half_width_s;
 
 Eigen::VectorXd contribution(const Effect& effect, const Term& term, const Model& model,
                              const Motion& motion) {
@@ -35,17 +35,26 @@ std::vector<double> to_std(const Eigen::VectorXd& x) {
   return {x.begin(), x.end()};
 }
 
+Motion motion_for(const Model& model, const ModuleSignals& module) {
+  Motion motion = motion_of(module, half_width_s);
+  motion.smoothing_rad_s = model.get("drive.coulomb", "smoothing_rad_s").value_or(0.01);
+  return motion;
+}
+
+/// History-dependent softening needs the torque itself: k*theta first, then the whole sum.
+void add_spring_torque(const Model& model, Motion& motion) {
+  const double k = scale_of(RelativeTo::stiffness, model);
+  motion.spring_nm = to_std(k * as_array(motion.theta).matrix());
+  motion.spring_nm = to_std(sum_of(model, Path::spring, motion));
+}
+
 }  // namespace
 
 Torques predict(const Model& model, const ModuleSignals& module) {
-  Motion motion = motion_of(module, half_width_s);
-  motion.smoothing_rad_s = model.get("drive.coulomb", "smoothing_rad_s").value_or(0.01);
+  Motion motion = motion_for(model, module);
   Torques out;
   if (motion.has_spring()) {
-    // History-dependent softening needs the torque itself: k*theta first, then the whole sum.
-    const double k = scale_of(RelativeTo::stiffness, model);
-    motion.spring_nm = to_std(k * as_array(motion.theta).matrix());
-    motion.spring_nm = to_std(sum_of(model, Path::spring, motion));
+    add_spring_torque(model, motion);
     out.spring_nm = motion.spring_nm;
     const Eigen::VectorXd rig = sum_of(model, Path::rig, motion);
     out.rig_nm = to_std(-rig);
@@ -57,6 +66,17 @@ Torques predict(const Model& model, const ModuleSignals& module) {
   }
   if (motion.has_drive()) out.drive_nm = to_std(sum_of(model, Path::drive, motion));
   return out;
+}
+
+std::vector<double> predict_drive(const Model& model, const ModuleSignals& module) {
+  const bool needs_load = model.has("drive.load_friction");
+  ModuleSignals drive = module;
+  if (!needs_load) drive.deflection_rad.clear(), drive.output_angle_rad.clear();
+  if (!drive.input_angle_rad.empty()) drive.input_velocity_rad_s.clear();
+  Motion motion = motion_for(model, drive);
+  if (needs_load && motion.has_spring()) add_spring_torque(model, motion);
+  if (!motion.has_drive()) return {};
+  return to_std(sum_of(model, Path::drive, motion));
 }
 
 std::vector<double> current_for(const Model& model, ModuleSignals module,

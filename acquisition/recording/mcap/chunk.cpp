@@ -50,6 +50,15 @@ bool follows(const Message& message, Channels& known) {
   return message.sequence == next->second++;
 }
 
+/// New channels, with what their messages look like.
+void announce(const Channels& before, const Channels& now, Handler& handler) {
+  for (const auto& [id, channel] : now.channels) {
+    if (before.channels.contains(id)) continue;
+    const auto schema = now.schemas.find(channel.schema);
+    handler.channel(channel, schema == now.schemas.end() ? Schema{} : schema->second);
+  }
+}
+
 /// Everything but the handing on: definitions into `known`, times against the head's.
 bool check(const Head& head, Channels& known) {
   std::uint64_t from_ns = std::numeric_limits<std::uint64_t>::max(), to_ns = 0;
@@ -84,11 +93,7 @@ std::string read_chunk(std::string_view content, Channels& known, Handler& handl
 
   Channels with_these = known;
   if (!check(head, with_these)) return "a chunk's records do not fit";
-  for (const auto& [id, channel] : with_these.channels) {
-    if (known.channels.contains(id)) continue;
-    const auto schema = with_these.schemas.find(channel.schema);
-    handler.channel(channel, schema == with_these.schemas.end() ? Schema{} : schema->second);
-  }
+  announce(known, with_these, handler);
   known = std::move(with_these);
   for_each_record(head.records, [&](Opcode opcode, std::string_view record) {
     if (opcode == Opcode::message) handler.message(parse_message(record).record);
@@ -96,6 +101,29 @@ std::string read_chunk(std::string_view content, Channels& known, Handler& handl
   });
   handler.chunk_ended();
   return {};
+}
+
+std::string_view records_of(std::string_view content) {
+  return parse_head(content).record.records;
+}
+
+std::uint32_t crc_of_chunk(std::string_view content) {
+  return parse_head(content).record.crc;
+}
+
+void hand_on_again(std::string_view content, Channels& known, Handler& handler) {
+  for_each_record(records_of(content), [&](Opcode opcode, std::string_view record) {
+    if (opcode == Opcode::schema || opcode == Opcode::channel) {
+      const Channels before = known;
+      if (opcode == Opcode::schema) define(known.schemas, parse_schema(record));
+      if (opcode == Opcode::channel) define(known.channels, parse_channel(record));
+      announce(before, known, handler);
+    } else {
+      handler.message(parse_message(record).record);
+    }
+    return true;
+  });
+  handler.chunk_ended();
 }
 
 }  // namespace searig::acquisition::mcap

@@ -20,4 +20,11 @@ struct Channels {
 /// then says in half a sentence what is wrong. Empty where all is well.
 std::string read_chunk(std::string_view content, Channels& known, Handler& handler);
 
+/// The records in the content of a chunk that read_chunk() found well, and their CRC.
+std::string_view records_of(std::string_view content);
+std::uint32_t crc_of_chunk(std::string_view content);
+
+/// Hands on what such a chunk holds, without looking into it once more.
+void hand_on_again(std::string_view content, Channels& known, Handler& handler);
+
 }  // namespace searig::acquisition::mcap

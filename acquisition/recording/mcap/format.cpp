@@ -2,6 +2,8 @@
 
 #include <zlib.h>
 
+#include <algorithm>
+
 namespace searig::acquisition::mcap {
 namespace {
 
@@ -113,6 +115,11 @@ Parsed<Message> parse_message(std::string_view content) {
 }
 
 Parsed<Attachment> parse_attachment(std::string_view content) {
+  const std::size_t own = std::min(content.size(), sizeof(std::uint32_t));
+  return parse_attachment(content, crc32_of(content.substr(0, content.size() - own)));
+}
+
+Parsed<Attachment> parse_attachment(std::string_view content, std::uint32_t crc_of_it) {
   ByteReader reader(content);
   Attachment attachment;
   attachment.log_time_ns = reader.take<std::uint64_t>();
@@ -122,13 +129,17 @@ Parsed<Attachment> parse_attachment(std::string_view content) {
   attachment.data = reader.take_sized<std::uint64_t>();
   const auto crc = reader.take<std::uint32_t>();
   Parsed<Attachment> parsed = ended(std::move(attachment), reader);
-  parsed.fits = parsed.fits && crc == crc32_of(content.substr(0, content.size() - sizeof crc));
+  parsed.fits = parsed.fits && crc == crc_of_it;
   return parsed;
 }
 
 std::uint32_t crc32_of(std::string_view bytes, std::uint32_t before) {
   return static_cast<std::uint32_t>(
       crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+std::uint32_t joined_crc32(std::uint32_t first, std::uint32_t second, std::uint64_t size) {
+  return static_cast<std::uint32_t>(crc32_combine(first, second, static_cast<z_off_t>(size)));
 }
 
 }  // namespace searig::acquisition::mcap

@@ -89,8 +89,13 @@ Parsed<Schema> parse_schema(std::string_view content);
 Parsed<Channel> parse_channel(std::string_view content);
 Parsed<Message> parse_message(std::string_view content);
 Parsed<Attachment> parse_attachment(std::string_view content);
+/// The same where the CRC of all but the content's last four bytes, its own CRC, is known.
+Parsed<Attachment> parse_attachment(std::string_view content, std::uint32_t crc_of_it);
 
 /// CRC-32 as in zlib; `before` is that of the bytes before these.
 std::uint32_t crc32_of(std::string_view bytes, std::uint32_t before = 0);
+
+/// The CRC-32 of bytes followed by `size` others, from the CRCs of both.
+std::uint32_t joined_crc32(std::uint32_t first, std::uint32_t second, std::uint64_t size);
 
 }  // namespace searig::acquisition::mcap

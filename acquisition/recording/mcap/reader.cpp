@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::uint64_t record_head = 1 + 8;       // opcode and length
 constexpr std::uint64_t longest_search = 1 << 16;  // bytes, for the first chunk
+constexpr std::uint64_t crc_size = sizeof(std::uint32_t);
 constexpr std::uint64_t footer_size = record_head + 8 + 8 + 4;
 
 bool is_header(std::string_view content) {
@@ -28,10 +29,52 @@ bool is_message_index(std::string_view content, const Channels& known) {
          known.channels.contains(channel);
 }
 
-/// What follows the data: index, footer, magic. `at` is where the DataEnd record begins.
-Ending read_end(std::string_view bytes, std::uint64_t at, std::string_view data_end) {
+/// The CRC of a file's bytes from its beginning, taken as reading goes on: no byte twice, and those
+/// behind need not stay in memory.
+class RunningCrc {
+ public:
+  RunningCrc(std::string_view bytes, Handler& handler) : bytes_(bytes), handler_(handler) {}
+
+  /// Up to `end`; returns the CRC of what was taken.
+  std::uint32_t take(std::uint64_t end) {
+    constexpr std::uint64_t step = 1 << 20;
+    std::uint32_t taken = 0;
+    const std::uint64_t from = done_;
+    while (done_ < end) {
+      const std::uint64_t next = std::min(end, done_ + step);
+      taken = crc32_of(bytes_.substr(done_, next - done_), taken);
+      done_ = next;
+      if (done_ - told_ < step) continue;
+      handler_.passed(done_);
+      told_ = done_;
+    }
+    crc_ = joined_crc32(crc_, taken, done_ - from);
+    return taken;
+  }
+
+  /// Up to `end`, the bytes of `part`, which ends there, being known by their CRC.
+  void take(std::uint64_t end, std::string_view part, std::uint32_t crc_of_part) {
+    take(end - part.size());
+    crc_ = joined_crc32(crc_, crc_of_part, part.size());
+    done_ = end;
+    take(end);
+  }
+
+  std::uint32_t value() const { return crc_; }
+
+ private:
+  std::string_view bytes_;
+  Handler& handler_;
+  std::uint64_t done_ = 0, told_ = 0;
+  std::uint32_t crc_ = 0;
+};
+
+/// What follows the data: index, footer, magic. `at` is where the DataEnd record begins, `crc` that
+/// of all before.
+Ending read_end(std::string_view bytes, std::uint64_t at, std::string_view data_end,
+                std::uint32_t crc_before) {
   const auto data_crc = ByteReader(data_end).take<std::uint32_t>();
-  if (data_crc != 0 && data_crc != crc32_of(bytes.substr(0, at)))
+  if (data_crc != 0 && data_crc != crc_before)
     return {End::index, at, "is damaged between its chunks"};
   std::string_view rest = bytes.substr(at + record_head + data_end.size());
   if (rest.size() < footer_size + magic.size() || !rest.ends_with(magic))
@@ -86,7 +129,9 @@ Ending unfit(std::string_view bytes) {
 
 /// Every record from `at` on.
 Ending read_records(std::string_view bytes, std::uint64_t at, Channels& known, Handler& handler) {
+  RunningCrc crc(bytes, handler);
   for (;;) {
+    crc.take(at);
     if (at == bytes.size()) return {End::cut, at, "was not finished"};
     const auto [opcode, content, fits] = record_at(bytes, at);
     if (!fits) return {End::cut, at, "ends within a record"};
@@ -99,9 +144,13 @@ Ending read_records(std::string_view bytes, std::uint64_t at, Channels& known, H
       case Opcode::chunk:
         if (std::string why = read_chunk(content, known, handler); !why.empty())
           return {End::damaged, at, "is damaged: " + why};
+        crc.take(at + record_head + content.size(), records_of(content), crc_of_chunk(content));
         break;
       case Opcode::attachment: {
-        const Parsed<Attachment> parsed = parse_attachment(content);
+        const std::uint64_t end = at + record_head + content.size();
+        crc.take(at + record_head);
+        const std::uint32_t crc_of_it = crc.take(std::max(end - std::min(end, crc_size), at));
+        const Parsed<Attachment> parsed = parse_attachment(content, crc_of_it);
         if (!parsed.fits) return {End::damaged, at, "has a damaged attachment"};
         handler.attachment(parsed.record);
         break;
@@ -109,7 +158,7 @@ Ending read_records(std::string_view bytes, std::uint64_t at, Channels& known, H
       case Opcode::data_end:
         if (content.size() != sizeof(std::uint32_t))
           return {End::damaged, at, "has a damaged record"};
-        return read_end(bytes, at, content);
+        return read_end(bytes, at, content, crc.value());
       default:
         return {End::damaged, at, "has a damaged record"};
     }
@@ -130,6 +179,20 @@ Ending read(std::string_view bytes, Handler& handler) {
   if (ending.all_data()) return {End::index, ending.valid_bytes, "has a damaged header"};
   ending.why = "has a damaged header and " + ending.why;
   return ending;
+}
+
+void read_again(std::string_view bytes, Handler& handler) {
+  Channels known;
+  std::uint64_t at = behind_header(bytes);
+  while (at < bytes.size()) {
+    const auto [opcode, content, fits] = record_at(bytes, at);
+    if (!fits || opcode == Opcode::data_end) break;
+    if (opcode == Opcode::chunk) {
+      hand_on_again(content, known, handler);
+      handler.passed(at);
+    }
+    at += record_head + content.size();
+  }
 }
 
 }  // namespace searig::acquisition::mcap

@@ -18,6 +18,8 @@ class Handler {
   virtual void message(const Message& message) = 0;
   virtual void chunk_ended() {}
   virtual void attachment(const Attachment&) {}
+  /// So many bytes of the file are not needed any more.
+  virtual void passed(std::uint64_t) {}
 };
 
 /// Where reading ended, and why there.
@@ -39,8 +41,12 @@ struct Ending {
 /// Every value handed on has passed a CRC-32, so that no single flipped bit and no cut can change
 /// one; a chunk is handed on whole or not at all. What lies outside the CRCs (lengths, opcodes, the
 /// times of a chunk) is checked against what lies inside; messages outside of chunks and compressed
-/// chunks are not read. The index at the end is not used; where the header is damaged, reading begins
-/// at the first chunk.
+/// chunks are not read. The index at the end is not used; where the header is damaged, reading
+/// begins at the first chunk.
 Ending read(std::string_view bytes, Handler& handler);
+
+/// The messages of bytes that read() went through before and found whole: without checking them
+/// once more, and without attachments.
+void read_again(std::string_view bytes, Handler& handler);
 
 }  // namespace searig::acquisition::mcap

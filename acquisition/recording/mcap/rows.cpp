@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
+#include <utility>
 
 #include "acquisition/error.h"
 #include "acquisition/recording/mcap/cdr.h"
@@ -76,16 +78,20 @@ bool is_channel(const std::string& name) {
 
 }  // namespace
 
+bool Rows::parse(std::string_view message, std::vector<double>& row) const {
+  row.resize(names.size());
+  const std::size_t bytes = row.size() * sizeof(double);  // CDR puts doubles one after the other
+  if (message.size() != cdr_head.size() + bytes || !message.starts_with(cdr_head)) return false;
+  std::memcpy(row.data(), message.data() + cdr_head.size(), bytes);
+  return std::all_of(row.begin(), row.end(), [](double v) { return std::isfinite(v); });
+}
+
 void Rows::take(std::string_view message) {
-  CdrReader reader(message);
-  std::vector<double> row(names.size());
-  for (double& value : row) value = reader.number<double>();
-  if (!reader.fits() ||
-      !std::all_of(row.begin(), row.end(), [](double v) { return std::isfinite(v); })) {
+  if (!parse(message, row_)) {
     ++garbled;
     return;
   }
-  for (std::size_t i = 0; i < row.size(); ++i) columns[i].push_back(row[i]);
+  for (std::size_t i = 0; i < row_.size(); ++i) columns[i].push_back(row_[i]);
 }
 
 const std::vector<double>* Rows::find(std::string_view name) const {
@@ -128,6 +134,15 @@ Stream stream_of(const std::string& name, const ReceivedRows& received,
       stream.channels.push_back({rows.names[i], picked(rows.columns[i], order.rows)});
   stream.restarts = std::move(order.restarts);
   stream.pings = exchanges_of(received.pings, order.runs);
+  return stream;
+}
+
+Stream stream_in_order(Stream times, double run, const ReceivedRows& received,
+                       const StreamSettings& settings) {
+  Stream stream = std::move(times);
+  stream.host_latency = settings.host_latency;
+  if (settings.sorted) stream.least_wire_s = settings.sorted->least_wire_s;
+  stream.pings = exchanges_of(received.pings, {settings.sorted ? 0.0 : run});
   return stream;
 }
 

@@ -1,0 +1,28 @@
+// A recording evaluated without being loaded, where that can be done.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "estimator/evaluation/evaluation.h"
+#include "estimator/model/model.h"
+
+namespace searig::app {
+
+struct EvaluatedRecording {
+  estimator::Evaluation evaluation;
+  std::vector<std::string> notes;  ///< the evaluation's, and what is to be said of the file
+  bool streamed = false;           ///< whether it was not loaded
+};
+
+/// What open_session(), find_model() and evaluate_session() give, without the online estimate's
+/// track. The module's rows are gone through and not kept in memory, unless something befell them
+/// (see acquisition::NotInOrder), there are further devices, or the options need it; then all is
+/// loaded. Throws as those do.
+EvaluatedRecording evaluate_recording(const std::filesystem::path& recording,
+                                      const std::optional<std::filesystem::path>& model_file,
+                                      const estimator::EvaluationOptions& options);
+
+}  // namespace searig::app

@@ -1,0 +1,51 @@
+#include "estimator/evaluation/telemetry.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace searig::estimator {
+namespace {
+
+constexpr std::size_t least_context = 6;  // rows: a local cubic reaches for four where they are few
+
+constexpr std::array columns{&ModuleSignals::t_s,
+                             &ModuleSignals::deflection_rad,
+                             &ModuleSignals::input_angle_rad,
+                             &ModuleSignals::output_angle_rad,
+                             &ModuleSignals::input_velocity_rad_s,
+                             &ModuleSignals::current_a,
+                             &ModuleSignals::motor_angle_rad,
+                             &ModuleSignals::commanded_angle_rad,
+                             &ModuleSignals::winding_temperature_c,
+                             &ModuleSignals::spring_temperature_c};
+
+}  // namespace
+
+void BlockMaker::add(const ModuleSignals& rows) {
+  for (const auto column : columns) {
+    auto& to = kept_.*column;
+    const auto& more = rows.*column;
+    to.insert(to.end(), more.begin(), more.end());
+  }
+  const std::vector<double>& t = kept_.t_s;
+  if (t.size() < from_ + 2 * least_context) return;
+  const auto known = std::lower_bound(t.begin(), t.end(), t.back() - context_s_);
+  const std::size_t to = std::min(std::size_t(known - t.begin()), t.size() - least_context);
+  if (to <= from_) return;
+  take_({kept_, from_, to});
+  const auto needed = std::lower_bound(t.begin(), t.end(), t[to] - context_s_);
+  const std::size_t drop =
+      std::min(std::size_t(needed - t.begin()), to - std::min(to, least_context));
+  for (const auto column : columns) {
+    auto& values = kept_.*column;
+    if (!values.empty()) values.erase(values.begin(), values.begin() + std::ptrdiff_t(drop));
+  }
+  from_ = to - drop;
+}
+
+void BlockMaker::finish() {
+  take_({kept_, from_, kept_.t_s.size()});
+}
+
+}  // namespace searig::estimator
