@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <thread>
 #include <utility>
 
 #include "acquisition/clock/synchronise.h"
 #include "acquisition/recording/mcap/read_mcap.h"
 #include "acquisition/recording/module_rows.h"
+#include "app/session/hand_over.h"
 #include "app/session/session.h"
 
 namespace searig::app {
@@ -24,15 +27,18 @@ class StreamedTelemetry : public estimator::Telemetry {
   StreamedTelemetry(const ModuleRows& rows, std::vector<std::string> channels)
       : rows_(rows), channels_(std::move(channels)) {}
 
+  /// One thread reads ahead while the caller's works on what was read.
   void go_through(double context_s, const Take& take) const override {
     estimator::BlockMaker blocks(context_s, take);
+    Pieces pieces;
+    const std::jthread reader([&] { read_into(pieces); });
+    const Refusal at_the_end{pieces};
     first_s_ = HUGE_VAL;
-    rows_.go_through(channels_, [&](const acquisition::Stream& piece) {
-      if (piece.t_s.empty()) return;
-      first_s_ = std::min(first_s_, piece.t_s.front());
-      last_s_ = piece.t_s.back();
-      blocks.add(signals_of(piece));
-    });
+    while (const auto piece = pieces.take()) {
+      first_s_ = std::min(first_s_, piece->t_s.front());
+      last_s_ = piece->t_s.back();
+      blocks.add(*piece);
+    }
     blocks.finish();
   }
 
@@ -41,6 +47,27 @@ class StreamedTelemetry : public estimator::Telemetry {
   double last_s() const { return last_s_; }
 
  private:
+  using Pieces = HandOver<estimator::ModuleSignals>;
+
+  /// Lets the reader go, also where an exception ends the work; before it is waited for.
+  struct Refusal {
+    Pieces& pieces;
+    ~Refusal() { pieces.refuse(); }
+  };
+  struct Stopped {};
+
+  void read_into(Pieces& pieces) const {
+    try {
+      rows_.go_through(channels_, [&](const acquisition::Stream& piece) {
+        if (!piece.t_s.empty() && !pieces.give(signals_of(piece))) throw Stopped();
+      });
+      pieces.end();
+    } catch (const Stopped&) {
+    } catch (...) {
+      pieces.end(std::current_exception());
+    }
+  }
+
   const ModuleRows& rows_;
   std::vector<std::string> channels_;
   mutable double first_s_ = HUGE_VAL, last_s_ = -HUGE_VAL;

@@ -18,10 +18,17 @@ constexpr double half_width_s = 0.02;         // of the window for the deflectio
 constexpr double longest_gap = 10;            // telemetry intervals over which to interpolate
 constexpr std::size_t usual_steps = 100'000;  // rows at the front that say what a usual step is
 
-/// Deflection and rate of the two rows about a time, for a weight whose gamma is not known yet.
+/// For a weight whose gamma is not known yet: deflection and rate of the row before a time, their
+/// product at the row after it, and how far the time lies between the two.
 struct About {
-  Derivatives before, after;
-  double u = 0;
+  double theta = 0, rate = 0, product_after = 0, u = 0;
+
+  About() = default;
+  About(const Derivatives& before, const Derivatives& after, double how_far)
+      : theta(before.value),
+        rate(before.first),
+        product_after(after.value * after.first),
+        u(how_far) {}
 };
 
 /// What weighs the load cell's samples: worked out at the rows next to them and nowhere else.
@@ -65,15 +72,15 @@ class WeightSampler {
 /// (3), with gamma at the size of the recording as it is at these samples.
 std::vector<double> weights_of(const std::vector<About>& about) {
   double theta = 0, rate = 0;
-  for (const About& a : about) theta += std::abs(a.before.value), rate += std::abs(a.before.first);
+  for (const About& a : about) theta += std::abs(a.theta), rate += std::abs(a.rate);
   const double n = static_cast<double>(about.size());
   const Size size{paper_size.torque_nm, theta / n, rate / n, paper_size.step_s};
   const double gamma =
       PaperUnits{paper_gamma_rad2_per_s, paper_alpha, paper_beta}.scaled_to(size).gamma;
   std::vector<double> weights;
   for (const About& a : about) {
-    const double before = trust_weight(a.before.value, a.before.first, gamma);
-    const double after = trust_weight(a.after.value, a.after.first, gamma);
+    const double before = trust_weight(a.theta, a.rate, gamma);
+    const double after = trust_weight(a.product_after, 1.0, gamma);
     weights.push_back(before + a.u * (after - before));
   }
   return weights;
@@ -104,8 +111,9 @@ void keep(const std::vector<bool>& covered, std::vector<T>& values) {
 }  // namespace
 
 Survey survey_of(const Telemetry& telemetry, const LoadcellSignals& as_given, Weights weights) {
-  const LoadcellSignals loadcell = in_order(as_given);
   Survey out;
+  out.loadcell = in_order(as_given);
+  const LoadcellSignals& loadcell = out.loadcell;
   StreamGaps gaps(loadcell.t_s);
   StreamSampler deflection(loadcell.t_s), current(loadcell.t_s);
   std::optional<WeightSampler> trust;
@@ -129,7 +137,6 @@ Survey survey_of(const Telemetry& telemetry, const LoadcellSignals& as_given, We
     }
   });
 
-  out.loadcell = loadcell;
   if (out.has_deflection) out.deflection_rad = deflection.finish();
   if (out.has_current) out.current_a = current.finish();
   if (out.rows < 2) return out;

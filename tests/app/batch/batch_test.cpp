@@ -9,6 +9,7 @@
 #include <limits>
 #include <mutex>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -127,6 +128,8 @@ TEST_F(RunBatch, GoesOnAfterATornLineWithTheSameBytes) {
   EXPECT_EQ(done_.size(), count - 6);  // of the seven one had failed: it is tried again
   EXPECT_FALSE(done_.contains(paths_[0]));
   EXPECT_EQ(resumed, whole());
+  std::istringstream lines(journal_of("out"));
+  for (std::string line; std::getline(lines, line);) EXPECT_TRUE(json::accept(line)) << line;
 
   EXPECT_EQ(bytes_of(run(again)), whole());
   run(again);
