@@ -48,8 +48,9 @@ struct Options {
   }
 };
 
-Outcome evaluate_one(const std::string& recording, const Options& options) {
-  EvaluatedRecording found = evaluate_recording(recording, options.model, options.evaluation());
+Outcome evaluate_one(const std::string& recording, const Options& options, bool read_ahead) {
+  EvaluatedRecording found =
+      evaluate_recording(recording, options.model, options.evaluation(), read_ahead);
   const EvaluationOutcome out{.name = name_of(recording),
                               .path = recording,
                               .evaluation = std::move(found.evaluation),
@@ -72,8 +73,10 @@ nlohmann::json settings_of(const Options& options) {
 
 void run(const Options& options) {
   check(options.batch);
-  run_as_batch(options.batch, options.batch.inputs(), "evaluate", settings_of(options),
-               [&](const std::string& recording) { return evaluate_one(recording, options); });
+  const Inputs inputs = options.batch.inputs();
+  const bool alone = inputs.recordings.size() == 1 && options.batch.jobs != 1;
+  run_as_batch(options.batch, inputs, "evaluate", settings_of(options),
+               [&](const std::string& path) { return evaluate_one(path, options, alone); });
 }
 
 }  // namespace

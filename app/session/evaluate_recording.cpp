@@ -24,21 +24,23 @@ using estimator::Model;
 
 class StreamedTelemetry : public estimator::Telemetry {
  public:
-  StreamedTelemetry(const ModuleRows& rows, std::vector<std::string> channels)
-      : rows_(rows), channels_(std::move(channels)) {}
+  StreamedTelemetry(const ModuleRows& rows, std::vector<std::string> channels, bool read_ahead)
+      : rows_(rows), channels_(std::move(channels)), read_ahead_(read_ahead) {}
 
-  /// One thread reads ahead while the caller's works on what was read.
   void go_through(double context_s, const Take& take) const override {
     estimator::BlockMaker blocks(context_s, take);
-    Pieces pieces;
-    const std::jthread reader([&] { read_into(pieces); });
-    const Refusal at_the_end{pieces};
     first_s_ = HUGE_VAL;
-    while (const auto piece = pieces.take()) {
-      first_s_ = std::min(first_s_, piece->t_s.front());
-      last_s_ = piece->t_s.back();
-      blocks.add(*piece);
-    }
+    const auto add = [&](const estimator::ModuleSignals& piece) {
+      first_s_ = std::min(first_s_, piece.t_s.front());
+      last_s_ = piece.t_s.back();
+      blocks.add(piece);
+    };
+    if (read_ahead_)
+      while_read_ahead(add);
+    else
+      rows_.go_through(channels_, [&](const acquisition::Stream& piece) {
+        if (!piece.t_s.empty()) add(signals_of(piece));
+      });
     blocks.finish();
   }
 
@@ -56,6 +58,15 @@ class StreamedTelemetry : public estimator::Telemetry {
   };
   struct Stopped {};
 
+  /// One thread reads while the caller's works on what was read.
+  template <class Add>
+  void while_read_ahead(Add add) const {
+    Pieces pieces;
+    const std::jthread reader([&] { read_into(pieces); });
+    const Refusal at_the_end{pieces};
+    while (const auto piece = pieces.take()) add(*piece);
+  }
+
   void read_into(Pieces& pieces) const {
     try {
       rows_.go_through(channels_, [&](const acquisition::Stream& piece) {
@@ -70,6 +81,7 @@ class StreamedTelemetry : public estimator::Telemetry {
 
   const ModuleRows& rows_;
   std::vector<std::string> channels_;
+  bool read_ahead_;
   mutable double first_s_ = HUGE_VAL, last_s_ = -HUGE_VAL;
 };
 
@@ -109,7 +121,7 @@ std::optional<Model> model_of(const Recording& recording,
 /// Nothing where the recording has to be loaded.
 std::optional<EvaluatedRecording> streamed(const std::filesystem::path& path,
                                            const std::optional<std::filesystem::path>& model_file,
-                                           const EvaluationOptions& options) {
+                                           const EvaluationOptions& options, bool read_ahead) {
   auto opened = acquisition::open_recording(path);
   if (!opened || opened->recording.loadcell.t_s.empty()) return std::nullopt;
   const std::optional<Model> model = model_of(opened->recording, model_file);
@@ -123,7 +135,8 @@ std::optional<EvaluatedRecording> streamed(const std::filesystem::path& path,
   module.t_s = std::vector<double>(),
   module.host_s = std::vector<double>();  // = {} keeps the memory
   recording.loadcell.channels.clear();
-  const StreamedTelemetry telemetry(*opened->rows, channels_for(*opened->rows, model, options));
+  const StreamedTelemetry telemetry(*opened->rows, channels_for(*opened->rows, model, options),
+                                    read_ahead);
   Evaluation evaluation = estimator::evaluate(telemetry, loadcell, recording.gear_ratio,
                                               model ? &*model : nullptr, options);
   if (ends_unknown) {
@@ -137,9 +150,9 @@ std::optional<EvaluatedRecording> streamed(const std::filesystem::path& path,
 
 EvaluatedRecording evaluate_recording(const std::filesystem::path& path,
                                       const std::optional<std::filesystem::path>& model_file,
-                                      const EvaluationOptions& options) {
+                                      const EvaluationOptions& options, bool read_ahead) {
   try {
-    if (auto out = streamed(path, model_file, options)) return std::move(*out);
+    if (auto out = streamed(path, model_file, options, read_ahead)) return std::move(*out);
   } catch (const std::exception&) {  // loaded it may do; else that says why not
   }
   const Session session = open_session(path);

@@ -20,9 +20,11 @@ struct EvaluatedRecording {
 /// What open_session(), find_model() and evaluate_session() give, without the online estimate's
 /// track. The module's rows are gone through and not kept in memory, unless something befell them
 /// (see acquisition::NotInOrder), there are further devices, or the options need it; then all is
-/// loaded. Throws as those do.
+/// loaded. Throws as those do. `read_ahead` puts the reading into a thread of its own: for one
+/// recording on a machine with nothing else to do.
 EvaluatedRecording evaluate_recording(const std::filesystem::path& recording,
                                       const std::optional<std::filesystem::path>& model_file,
-                                      const estimator::EvaluationOptions& options);
+                                      const estimator::EvaluationOptions& options,
+                                      bool read_ahead = false);
 
 }  // namespace searig::app

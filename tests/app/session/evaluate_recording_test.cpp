@@ -99,6 +99,8 @@ std::string shown(const estimator::Evaluation& e) {
 void expect_same(const fs::path& recording, bool streamed) {
   const EvaluatedRecording found = evaluate_recording(recording, {}, {});
   EXPECT_EQ(found.streamed, streamed) << recording;
+  const EvaluatedRecording ahead = evaluate_recording(recording, {}, {}, true);
+  EXPECT_EQ(shown(ahead.evaluation), shown(found.evaluation));
   const Session session = open_session(recording);
   const auto whole = evaluate_session(session, find_model(recording, {}));
   EXPECT_EQ(shown(found.evaluation), shown(whole));
