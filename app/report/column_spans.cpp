@@ -86,7 +86,7 @@ void Extremes::clear() {
 }
 
 void Extremes::follow(const std::vector<double>& y) {
-  grow(blocks_[0], fan, y.size(), [&](std::size_t i) { return only(y[i]); });
+  grow(blocks_[0], block, y.size(), [&](std::size_t i) { return only(y[i]); });
   for (std::size_t level = 1; level < levels; ++level) {
     const auto& finer = blocks_[level - 1];
     grow(blocks_[level], fan, finer.size(), [&](std::size_t i) { return finer[i]; });
@@ -98,8 +98,9 @@ Range Extremes::in(const std::vector<double>& y, std::size_t first, std::size_t 
   Range all = only(y[first]);
   for (std::size_t i = first + 1; i < last && !std::isnan(all.low);) {
     std::size_t level = 0, size = 1;  // of the largest block that begins here and ends in time
-    while (level < levels && i % (size * fan) == 0 && i + size * fan <= last) {
-      size *= fan;
+    for (std::size_t next = block; level < levels && i % next == 0 && i + next <= last;
+         next = size * fan) {
+      size = next;
       ++level;
     }
     join(all, level == 0 ? only(y[i]) : blocks_[level - 1][i / size]);
@@ -127,7 +128,10 @@ void column_spans(const std::vector<double>& x, const std::vector<double>& y,
       cover.line(x[i - 1], y[i - 1], x[i], y[i]);
   };
   for (std::size_t i = begin; i < end;) {
-    const std::size_t next = std::max(i + 1, behind(x, i, end, cover.right_edge_at(x[i])));
+    std::size_t next = std::max(i + 1, behind(x, i, end, cover.right_edge_at(x[i])));
+    // Where a column holds very many, its edge may as well be that of a block: nobody sees a
+    // sixteenth of a pixel, and single values need not be looked at.
+    if (next < end && next - i > 16 * Extremes::block) next -= next % Extremes::block;
     if (const Range all = extremes.in(y, i, next); !std::isnan(all.low)) {
       join_before(i);
       cover.points(x[i], all);

@@ -1,27 +1,32 @@
 #include "estimator/evaluation/regime.h"
 
+#include <algorithm>
+
 namespace searig::estimator {
 namespace {
 
 constexpr double moving_rad_s = 0.03;  // the contract's, as in diagnosis/experiment.h
 constexpr double reversing_for_s = 0.1;
 constexpr double same = 1e-3;  // of the largest current
-constexpr int fewest_at_limit = 3;
+constexpr double limited_for_s = 0.05;
 
 }  // namespace
 
-/// A peak of a current that is free touches its largest value for a sample; a limit holds it there.
-bool RegimeFinder::at_limit(double current_a) {
+/// A current that is free passes its peak; a limit holds it there.
+bool RegimeFinder::at_limit(double t_s, double current_a) {
   const double size = std::abs(current_a);
-  if (!(size > 0.0)) return false;
-  if (size > largest_a_ * (1.0 + same)) at_largest_ = 0;
-  if (size > largest_a_) largest_a_ = size;
-  at_largest_ = size >= largest_a_ * (1.0 - same) ? at_largest_ + 1 : 0;
-  return at_largest_ >= fewest_at_limit;
+  if (size > largest_a_ * (1.0 + same)) at_largest_since_s_ = t_s;
+  largest_a_ = std::max(largest_a_, size);
+  if (!(size > 0.0) || size < largest_a_ * (1.0 - same)) {
+    at_largest_since_s_ = std::numeric_limits<double>::infinity();
+    return false;
+  }
+  at_largest_since_s_ = std::min(at_largest_since_s_, t_s);
+  return t_s >= at_largest_since_s_ + limited_for_s;
 }
 
 Regime RegimeFinder::take(double t_s, double velocity_rad_s, double torque_nm, double current_a) {
-  const bool limited = at_limit(current_a);
+  const bool limited = at_limit(t_s, current_a);
   const bool moves = std::abs(velocity_rad_s) >= moving_rad_s;
   if (moves) {
     const double direction = velocity_rad_s > 0.0 ? 1.0 : -1.0;

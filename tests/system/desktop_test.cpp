@@ -103,6 +103,26 @@ TEST(Desktop, CurvesOfARecordingAreWhereTheDataAre) {
   EXPECT_LE(mirrored, 2);
 }
 
+/// Whatever the scale and the theme, nothing is cut and the curve is where the data are.
+TEST(Desktop, IsReadableAtTwiceTheScaleInBothThemes) {
+  const acquisition::TemporaryFolder folder;
+  const std::string out = folder.path().string();
+  ASSERT_EQ(run_program("searig demo --seconds 10 --headless --out " + out).exit_code, 0);
+  for (const char* theme : {"light", "dark"})
+    for (const int scale : {1, 2}) {
+      const std::string png = out + "/window.png", json = out + "/layout.json";
+      const Ran ran =
+          run_program("searig desktop --as-live " + out + "/recording.mcap --theme " + theme +
+                          " --offscreen --screenshot " + png + " --layout " + json,
+                      "env QT_SCALE_FACTOR=" + std::to_string(scale) + " ");
+      ASSERT_EQ(ran.exit_code, 0) << ran.err;
+      EXPECT_EQ(QImage(QString::fromStdString(png)).width(), 1280 * scale);
+      const auto layout = nlohmann::json::parse(text_of(json));
+      EXPECT_TRUE(layout["cut"].empty()) << layout["cut"];
+      EXPECT_EQ(layout["plots"].size(), 4u);
+    }
+}
+
 TEST(Desktop, EmptyWindowHasNoCurve) {
   const Picture picture = picture_of("");
   EXPECT_EQ(count(picture, "torque", app::Hue::blue), 0);

@@ -35,6 +35,8 @@ class LivePage : public Page {
   /// A recording that runs is ended whole first, in the background too.
   void disconnect_rig();
   bool connected() const { return rig_ != nullptr; }
+  /// Whether an earlier connection is still being let go of.
+  bool closing() const { return !closing_.empty(); }
   /// Null while not connected.
   RigSession* rig() { return rig_.get(); }
 

@@ -108,7 +108,7 @@ TEST(RigSession, AKnownWeightReadsAsItIs) {
   RigSession rig{RigOptions{}};
   Viewer view(rig);
   const auto reading_under = [&](double newton) {
-    EXPECT_TRUE(rig.command_board("hold " + std::to_string(newton)));
+    EXPECT_TRUE(rig.command_board(std::string("hold ") + std::to_string(newton)));
     Weighing weighing(newton);
     std::optional<acquisition::KnownWeight> weight;
     view.watch(20.0, [&] { return (weight = weighing.take(view.last.counts)).has_value(); });
