@@ -36,18 +36,21 @@ void Line::remove(const std::shared_ptr<Listener>& listener) {
   const auto listens = [&] {
     return std::find(listeners_.begin(), listeners_.end(), listener) != listeners_.end();
   };
-  if (running_) leaving_ = listener;
+  if (!listens()) return;  // whoever it hands on to may be gone
+  leaving_.push_back(listener);
   left_.wait(lock, [&] { return !running_ || !listens(); });
   std::erase(listeners_, listener);
+  std::erase(leaving_, listener);
 }
 
 /// Who leaves gets the counters as they are now, and no more.
 void Line::let_go(double now_s) {
-  const auto leaving = std::exchange(leaving_, nullptr);
-  if (!leaving) return;
-  leaving->tell(now_s, source_->counters());
-  leaving->hand_over(now_s);
-  std::erase(listeners_, leaving);
+  if (leaving_.empty()) return;
+  for (const auto& leaving : std::exchange(leaving_, {})) {
+    leaving->tell(now_s, source_->counters());
+    leaving->hand_over(now_s);
+    std::erase(listeners_, leaving);
+  }
   left_.notify_all();
 }
 

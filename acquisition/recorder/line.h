@@ -58,7 +58,7 @@ class Line {
 
   std::mutex mutex_;  // guards what follows, and all that listeners are given
   std::vector<std::shared_ptr<Listener>> listeners_;
-  std::shared_ptr<Listener> leaving_;
+  std::vector<std::shared_ptr<Listener>> leaving_;
   std::condition_variable left_;
   bool running_ = false;
 

@@ -74,7 +74,9 @@ void LiveFollower::take_estimate(const estimator::OnlineEstimate& e, LiveColumns
   const auto [low, high] = std::minmax(ends[0], ends[1]);
 
   const auto& t_s = signals_.signals().module.t_s;
-  const std::size_t sample = std::min(behind(t_s, e.t_s), t_s.size()) - 1;
+  const std::size_t seen = behind(t_s, e.t_s);
+  if (seen == 0) return;  // of before a pause, and let go of since
+  const std::size_t sample = seen - 1;
   lately_.push_back({e.t_s, e.torque_nm, regime_at(sample, e.torque_nm)});
   while (lately_.front().t_s < e.t_s - kept_s) lately_.pop_front();
   // A clock that may be off by so much moves a slope by so much torque.

@@ -65,6 +65,7 @@ TimePlot::TimePlot(const QString& title, const QString& y_label, QWidget* parent
   layout->addWidget(plot_, 1);
   caption_->setTextFormat(Qt::RichText);
 
+  plot_->setAxisScale(QwtPlot::yLeft, 0.0, 1.0);  // until there is something to show
   style_axis(*plot_, QwtPlot::yLeft, y_label);
   style_axis(*plot_, QwtPlot::xBottom, QStringLiteral("time (s)"));
   plot_->axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(axis_width_px);

@@ -201,6 +201,41 @@ TEST(Recorder, BeginsAndEndsWhileTheLinesRunOn) {
   }
 }
 
+/// A sink that notices whether it is given something after it has let go.
+class Mortal : public EntrySink {
+ public:
+  std::size_t push(std::vector<Entry>& batch) override {
+    pushed_after_end = pushed_after_end || ended;
+    batch.clear();
+    return 0;
+  }
+  std::atomic<bool> ended{false}, pushed_after_end{false};
+};
+
+TEST(Line, WhoHasLeftIsToldNothingMoreHoweverOftenItLeaves) {
+  Line line(StreamId::module, std::make_unique<FakeSource>(wire::Type::module_sample, 1));
+  Mortal sinks[3];
+  std::vector<std::shared_ptr<Listener>> listeners;
+  for (Mortal& sink : sinks) {
+    listeners.push_back(
+        std::make_shared<Listener>(StreamId::module, Framing::stream, std::nullopt, sink));
+    line.add(listeners.back());
+  }
+  line.start();
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  std::vector<std::thread> leaving;  // all at once
+  for (int i = 0; i < 3; ++i)
+    leaving.emplace_back([&, i] {
+      line.remove(listeners[std::size_t(i)]);
+      sinks[i].ended = true;
+      line.remove(listeners[std::size_t(i)]);
+    });
+  for (auto& one : leaving) one.join();
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  line.stop();
+  for (const Mortal& sink : sinks) EXPECT_FALSE(sink.pushed_after_end);
+}
+
 TEST(Recorder, WhatAUserMarksIsInTheFile) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "a.mcap";
