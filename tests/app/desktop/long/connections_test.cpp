@@ -41,7 +41,7 @@ void cycle(MainWindow& window, bool record) {
   ASSERT_TRUE(page.connected()) << page.message().toStdString();
   if (record) {
     page.toggle_recording();
-    wait_until(5.0, [&] { return page.rig()->recording().seconds > 0.2; });
+    wait_until(5.0, [&] { return page.rig()->recording().seconds > 1.5; });
   }
   page.disconnect_rig();  // a recording that runs is ended by it
   wait_until(20.0, [&] { return !page.closing(); });
