@@ -101,11 +101,11 @@ Solution solve(Eigen::MatrixXd& columns, Eigen::VectorXd& right, const FreeScale
   const auto unit = Eigen::VectorXd::Unit(scaled.cols(), s.column);
   constexpr double furthest = 4.6;  // a hundredfold, as a logarithm
   double weight = 1.0;              // (reference/g)^2
-  Eigen::VectorXd x, deviation;
+  Eigen::VectorXd x;
+  Eigen::LDLT<Eigen::MatrixXd> normal;
   for (int round = 0; round < 20; ++round) {
-    const auto normal = factors(rest.normal + weight * own.normal);
+    normal = factors(rest.normal + weight * own.normal);
     x = normal.solve(rest.moment + weight * own.moment);
-    deviation = deviations(normal);
     const double shrunk = x[s.column] * scale[s.column];
     if (shrunk <= 0.0) break;
     // At the minimum the gradient is that of 1/g^2 alone, so it lies from here in this direction.
@@ -128,7 +128,7 @@ Solution solve(Eigen::MatrixXd& columns, Eigen::VectorXd& right, const FreeScale
   }
   Solution out;
   out.coefficients = scale.cwiseProduct(x);
-  out.sd = scale.cwiseProduct(deviation);
+  out.sd = scale.cwiseProduct(deviations(normal));
   const double g = out.coefficients[s.column];
   auto those = columns.middleRows(s.first_row, s.rows);
   those *= std::sqrt(weight), right.segment(s.first_row, s.rows) *= std::sqrt(weight);
