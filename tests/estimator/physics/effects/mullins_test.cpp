@@ -50,6 +50,17 @@ TEST(Mullins, LosesStiffnessByTheLargestDeflectionToEitherSide) {
   EXPECT_NEAR(loss(torque, m, 4000), at_peak, 1e-12);
 }
 
+TEST(Mullins, IsFeltBelowTheLargestLoadAndGoneOnTheWayBeyondIt) {
+  const Motion m = loaded(path_through({0, 0.2, 0.1, 0.3, 0}, 1000));
+  const Eigen::VectorXd torque = torque_of(softening(0.2, 0.5, 2), m);
+  const auto stored = [](double theta) { return 0.5 * k * theta * theta; };
+  EXPECT_NEAR(loss(torque, m, 500), 0.0, 1e-12);  // never loaded before
+  EXPECT_NEAR(loss(torque, m, 2000), 0.2 * (1 - std::exp(-(stored(0.2) - stored(0.1)) / 0.5)),
+              1e-12);
+  EXPECT_NEAR(loss(torque, m, 2500), 0.0, 1e-12);  // at 0.2 again, and then beyond
+  EXPECT_NEAR(loss(torque, m, 3000), 0.0, 1e-12);
+}
+
 TEST(Mullins, OnlySoftensAndNeverBeyondItsShare) {
   const Motion m = hand_made_motion();
   for (const double history : {0.0, 1.0}) {
