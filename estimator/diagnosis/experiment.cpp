@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "estimator/kinematics.h"
 #include "estimator/model/predict.h"
 #include "estimator/order.h"
 #include "estimator/physics/single_amplitude.h"
@@ -33,7 +34,7 @@ void thin_out(Motion& m, std::size_t every) {
     thin(*x);
 }
 
-/// The current is averaged like the angles were, over the samples that thinning would drop.
+/// Over the samples that thinning would drop.
 void average(std::vector<double>& x, std::size_t every) {
   if (every < 2 || x.empty()) return;
   std::vector<double> sum(x.size() + 1, 0.0);
@@ -42,6 +43,30 @@ void average(std::vector<double>& x, std::size_t every) {
     const std::size_t from = i - std::min(i, every / 2);
     const std::size_t to = std::min(x.size(), from + every + 1 - every % 2);
     x[i] = (sum[to] - sum[from]) / double(to - from);
+  }
+}
+
+/// Where current is held against angles it passes the same filter as they: what one filter takes
+/// from both sides of an equation does not look like inertia or friction. Held against a load cell,
+/// which passes none, it is only averaged over what thinning would drop.
+void filter_current(Motion& m, const std::vector<double>& t, std::size_t every) {
+  if (m.has_spring() && !m.current.empty())
+    m.current = differentiate(t, m.current, half_width_s).value;
+  else
+    average(m.current, every);
+}
+
+/// Rubber and windings warm over many seconds; what a temperature reads beyond that is its noise.
+void calm_temperatures(Motion& m) {
+  constexpr double window_s = 2.0;
+  if (m.t.back() < 2.0 * window_s) return;
+  std::vector<double> centres = m.t;
+  for (double& t : centres) t = std::clamp(t, window_s / 2, m.t.back() - window_s / 2);
+  const Sampler mean(m.t, centres, window_s);
+  for (auto* x : {&m.winding_c, &m.spring_c}) {
+    if (x->empty()) continue;
+    const Eigen::VectorXd calm = mean(as_array(*x).matrix());
+    x->assign(calm.begin(), calm.end());
   }
 }
 
@@ -174,7 +199,8 @@ void mark_usable(Experiment& e) {
   }
   if (!e.has_drive()) return;
   const auto covered = e.at_drive.covered(gap_s);
-  const auto moves = moving(e.motion, e.drive_t, e.drive_width_s);
+  // One way as far as the filter reaches, which smears the jump of friction at a reversal.
+  const auto moves = moving(e.motion, e.drive_t, e.drive_width_s / 2 + half_width_s);
   for (std::size_t i = 0; i < covered.size(); ++i)
     e.usable.push_back(covered[i] && moves[i] && (e.has_spring() || !spike[i]));
 }
@@ -207,8 +233,9 @@ Experiment prepare(const Signals& signals, double smoothing_rad_s) {
     e.motion.q_o.clear(), e.motion.w_o.clear(), e.motion.a_o.clear();
   const auto every = std::max<std::size_t>(
       1, std::size_t(std::lround(1.0 / (median_step(e.motion.t) * rate_limit_hz))));
-  average(e.motion.current, every);
+  filter_current(e.motion, signals.module.t_s, every);
   thin_out(e.motion, every);
+  calm_temperatures(e.motion);
   for (const double start : signals.part_starts_s)
     if (start - e.start_s >= e.part_starts_s.back() + shortest_part_s &&
         start + shortest_part_s <= signals.module.t_s.back())
