@@ -70,10 +70,14 @@ class Diagnostician {
     const Experiment& e = bench_.experiment();
     const PathResiduals before = heldout_residuals(bench_, account.base.hypothesis);
     const PathResiduals after = heldout_residuals(bench_, account.final.hypothesis);
+    Hypothesis as_given = account.base.hypothesis;
     std::vector<Eigen::VectorXd> amplitudes;
-    for (const auto& piece : account.base.hypothesis)
-      amplitudes.push_back(piece.effect->amplitudes(*given_.find(piece.effect->name()), given_));
-    const PathResiduals given = given_residuals(bench_, account.base.hypothesis, amplitudes);
+    for (auto& piece : as_given) {
+      const Term& term = *given_.find(piece.effect->name());
+      piece.shape = piece.effect->shape(term);
+      amplitudes.push_back(piece.effect->amplitudes(term, given_));
+    }
+    const PathResiduals given = given_residuals(bench_, as_given, amplitudes);
     const Eigen::VectorXd left =
         bench_.raw_residual(account.final.hypothesis, bench_.fit(account.final.hypothesis));
     if (e.has_spring())

@@ -59,6 +59,15 @@ TEST(Diagnose, AsksForOtherNumbersWhereOnlyTheStiffnessIsWrong) {
   EXPECT_GT(*d.spring->as_given, 5 * d.spring->before);
 }
 
+TEST(Diagnose, JudgesAModelAsGivenWithTheDelayThatItWasGiven) {
+  const SimulatedActuator rig;
+  Model late = rig.paper();
+  late.set("rig.delay", "delay_s", 0.05);
+  const Diagnosis d = diagnose(rig.record(), late);
+  ASSERT_TRUE(d.spring && d.spring->as_given);
+  EXPECT_GT(*d.spring->as_given, 5 * d.spring->before);
+}
+
 TEST(Diagnose, NamesAMissingDamper) {
   SimulatedActuator rig;
   rig.viscous = 0.6;
