@@ -123,7 +123,8 @@ Eigen::MatrixXd derivatives(const std::vector<double>& t, const std::vector<doub
 
 /// What is seen differs from the torque by a filter that nobody declared. To fourth order in time
 /// that is a delay, a width, a skew and a kurtosis: T + c1 dT/dt + ... + c4 d4T/dt4. Each has a
-/// prior of what averaging over one window more or less would do.
+/// prior of what averaging over one window more or less would do; where the load cell is known to
+/// be late, of so long a window, for in which form it is late nobody knows.
 Eigen::MatrixXd Bench::nuisances() const {
   const Experiment& e = experiment_;
   const Motion& m = e.motion;
@@ -137,9 +138,9 @@ Eigen::MatrixXd Bench::nuisances() const {
     out(i, adapting.cols() + Eigen::Index(e.part(i))) = 1.0;  // the load cell's offset
   auto held = out.rightCols(prior_count);
   if (e.has_spring()) {
-    const double w = e.loadcell_width_s;
+    const double w = std::hypot(e.loadcell_width_s, late_s_);
     const double sd[4] = {e.clock_sd_s, w * w / 8.0, w * w * w / 24.0, w * w * w * w / 128.0};
-    const Eigen::MatrixXd d = derivatives(m.t, e.loadcell_t, w, torque_);
+    const Eigen::MatrixXd d = derivatives(m.t, e.loadcell_t, e.loadcell_width_s, torque_);
     for (int i = 0; i < 4; ++i) held.col(i).head(split) = d.col(i) * sd[i];
   }
   if (e.has_drive()) {
@@ -166,6 +167,8 @@ Eigen::MatrixXd Bench::adapting_stiffness() const {
 }
 
 void Bench::learn_torque(const Hypothesis& hypothesis) {
+  const Seen seen = seen_by(hypothesis);
+  late_s_ = std::abs(seen.delay_s) + seen.lag_s;
   if (experiment_.has_spring()) {
     const Fit fitted = fit(hypothesis);
     Eigen::VectorXd spring = Eigen::VectorXd::Zero(torque_.size()), rig = spring;

@@ -110,7 +110,8 @@ class Bench {
   Experiment experiment_;
   Method method_;
   std::optional<Whitening> whitening_;
-  double gain_ = 0.0;  // of the motor when the noise was learnt, N*m per A; 0 where it has none
+  double gain_ = 0.0;    // of the motor when the noise was learnt, N*m per A; 0 where it has none
+  double late_s_ = 0.0;  // of the load cell, in the hypothesis that the torque was learnt from
   Eigen::VectorXd torque_;  // on the motion's samples, as the load cell would see it undisturbed
   Eigen::MatrixXd raw_nuisance_, nuisance_;
   mutable std::map<std::string, Eigen::MatrixXd> raw_cache_, cache_;

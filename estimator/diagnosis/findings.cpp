@@ -44,6 +44,15 @@ Removed removed(const PathResiduals& before, const PathResiduals& after, Path pa
   return drive.share > spring.share ? drive : spring;
 }
 
+/// Nature's form of an effect is not the catalogue's, so that the number of the one is known of the
+/// other to a share of itself at best, however quiet the recording is.
+ParameterEstimate with_doubt_of_form(ParameterEstimate p) {
+  constexpr double share = 0.02;
+  const double half = std::hypot(0.5 * (p.upper - p.lower), share * p.value);
+  if (p.upper > p.lower) p.lower = p.value - half, p.upper = p.value + half;
+  return p;
+}
+
 Finding finding(const Bench& bench, const Account& account, const PathResiduals& after,
                 const Assessment& a, const std::vector<ParameterEstimate>& parameters,
                 const Diagnosis& out) {
@@ -53,7 +62,7 @@ Finding finding(const Bench& bench, const Account& account, const PathResiduals&
   f.probability = a.probability;
   f.alternatives = a.alternatives;
   for (const auto& p : parameters)
-    if (p.effect == f.effect) f.parameters.push_back(p);
+    if (p.effect == f.effect) f.parameters.push_back(with_doubt_of_form(p));
   f.located = locate(bench, a.without, account.final.hypothesis, piece.effect->path(),
                      piece.effect->about().channel);
   const Removed gone =
