@@ -104,14 +104,7 @@ void save_eeprom(const SimulatedBoard& board, const std::string& file) {
 /// Until stopped, in steps of a fifth of a millisecond; after a stall it catches up.
 void run(Bench& bench, const searig::line::PseudoTerminal& terminal, DeviceTime& time,
          const Options& options) {
-  searig::line::CommandLine commands([&](const auto& command) {
-    const double before_s = time.now_s();
-    if (!time.obey(command)) return bench.obey(command, before_s);
-    bench.hear();
-    bench.run_until(before_s);
-    bench.run_until(time.now_s());
-    return true;
-  });
+  searig::line::CommandLine commands(searig::line::commands_to(bench, time));
   const double end_s = time.now_s() + options.seconds;
   while (!stopped && time.now_s() < end_s && !(options.with_stdin && commands.ended())) {
     pollfd ready[] = {{commands.handle(), POLLIN, 0}};

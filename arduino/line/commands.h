@@ -59,6 +59,20 @@ class DeviceTime {
   double reached_s_ = 0.0;
 };
 
+/// What a device does with commands: its time moves it on, once it has heard what waited until
+/// then; all others it obeys itself.
+template <typename Device>
+CommandLine::Handler commands_to(Device& device, DeviceTime& time) {
+  return [&](const Command& command) {
+    const double before_s = time.now_s();
+    if (!time.obey(command)) return device.obey(command, before_s);
+    device.hear();
+    device.run_until(before_s);
+    device.run_until(time.now_s());
+    return true;
+  };
+}
+
 /// The faults that all links have: drop, double and flip with their shares.
 bool set_fault(acquisition::FaultShares& shares, const Command& command);
 

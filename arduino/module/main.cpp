@@ -68,14 +68,7 @@ int parse(int argc, char** argv, Options& options) {
 
 void run(searig::module::Stream& stream, const searig::module::Link& link, DeviceTime& time,
          const Options& options) {
-  searig::line::CommandLine commands([&](const auto& command) {
-    const double before_s = time.now_s();
-    if (!time.obey(command)) return stream.obey(command, before_s);
-    stream.hear();
-    stream.run_until(before_s);
-    stream.run_until(time.now_s());
-    return true;
-  });
+  searig::line::CommandLine commands(searig::line::commands_to(stream, time));
   const double end_s = time.now_s() + options.seconds;
   while (!stopped && time.now_s() < end_s && !(options.with_stdin && commands.ended())) {
     pollfd ready[] = {{commands.handle(), POLLIN, 0}, {link.handle(), POLLIN, 0}};
