@@ -51,11 +51,12 @@ std::string clock_sentence(const std::string& whose, const ClockMap& clock) {
   append_number(words, clock.offset_s);
   words += " s; 95 % interval +-";
   append_number(words, clock.ci95_s);
+  words += " s at the middle of the recording; ";
+  // Restarts, or a clock that runs unevenly.
   if (clock.loadcell_runs.size() > 1)
-    words += " s in the longest run";
-  else
-    words += " s";
-  return words + "; " + (clock.trusted ? "trusted: " : "NOT TRUSTED: ") + clock.why;
+    words +=
+        std::to_string(clock.loadcell_runs.size()) + " pieces, each placed by a map of its own; ";
+  return words + (clock.trusted ? "trusted: " : "NOT TRUSTED: ") + clock.why;
 }
 
 }  // namespace
