@@ -6,6 +6,8 @@
 
 #include "app/rig/simulated_rig.h"
 #include "app/session/session.h"
+#include "estimator/evaluation/score.h"
+#include "estimator/evaluation/state_track.h"
 #include "estimator/model/predict.h"
 #include "estimator/twin/paper_module.h"
 
@@ -98,6 +100,35 @@ void judge_current(const estimator::Signals& signals, const std::vector<OnlineEs
   out.current_rest_percent = 100 * (rest / (n - n_trusted)) / (size / n);
 }
 
+/// A variant's way through a trial.
+struct Course {
+  estimator::Score score;
+  std::vector<OnlineEstimate> track;
+
+  double last_k_nm_per_rad() const { return track.back().k_nm_per_rad; }
+};
+
+Course course_of(const Evaluation& evaluation) {
+  return {evaluation.online->score, evaluation.online->track};
+}
+
+/// The same trust weights and drive torques, with another filter in place of the paper's.
+Course course_of(const Evaluation& evaluation, const StateFilter& filter,
+                 const estimator::Signals& signals) {
+  Course out = course_of(evaluation);
+  std::vector<double> drive_nm;
+  for (const auto& estimate : out.track) drive_nm.push_back(estimate.drive_nm);
+  const auto found = estimator::track_states(
+      signals.module, drive_nm, filter.kind, estimator::SpringStates(filter.states),
+      {.initial_k_nm_per_rad = evaluation.online->initial_k_nm_per_rad});
+  for (std::size_t i = 0; i < out.track.size(); ++i)
+    out.track[i].k_nm_per_rad = found.x(static_cast<Eigen::Index>(i), 0);
+  const auto& loadcell = signals.loadcell;
+  out.score = estimator::score(sample_at(signals.module.t_s, found.torque_nm, loadcell.t_s),
+                               loadcell.torque_nm);
+  return out;
+}
+
 }  // namespace
 
 Trial run_trial(std::uint64_t seed, Hand hand, const Protocol& protocol,
@@ -121,9 +152,13 @@ Trial run_trial(std::uint64_t seed, Hand hand, const Protocol& protocol,
     };
     Evaluation good = run(fit->k_nm_per_rad);
     Evaluation poor = run(protocol.poor_start * fit->k_nm_per_rad);
+    const auto follow = [&](const Evaluation& e) {
+      return variant.filter ? course_of(e, *variant.filter, out.signals) : course_of(e);
+    };
+    const Course from_poor = follow(poor);
     out.figures.online.push_back(
-        {good.online->score, poor.online->score, poor.online->k_nm_per_rad,
-         approach(poor.online->track, fit->k_nm_per_rad, loadcell, protocol)});
+        {follow(good).score, from_poor.score, from_poor.last_k_nm_per_rad(),
+         approach(from_poor.track, fit->k_nm_per_rad, loadcell, protocol)});
     if (&variant != &variants.front()) continue;
     out.figures.current = good.current->score;
     judge_current(out.signals, good.online->track, out.figures);

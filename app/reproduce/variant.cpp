@@ -41,7 +41,10 @@ std::vector<Variant> variants(const Protocol& protocol) {
   return {{"paper", "Online, as the paper prints it", equation_2, DriveTerms::paper, true},
           {"searig", "Online, searig's numbers", equation_2, DriveTerms::paper, false},
           {"searig_friction", "Online, searig's numbers, friction known",
-           drive_with_friction(module, protocol), DriveTerms::model, false}};
+           drive_with_friction(module, protocol), DriveTerms::model, false},
+          {"damping", "Online, linear, with equation (12)'s damping, friction known",
+           drive_with_friction(module, protocol), DriveTerms::model, false,
+           StateFilter{estimator::EstimatorKind::linear, {"spring.linear", "spring.viscous"}}}};
 }
 
 }  // namespace searig::app::reproduce

@@ -1,6 +1,7 @@
 // What is the same in every trial, and the ways to estimate that are compared on it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,12 @@ struct Protocol {
   double bench_rad_s = 0.3;      ///< a pace of the experiment
 };
 
+/// A filter of several states, of those that `searig evaluate --estimator` offers.
+struct StateFilter {
+  estimator::EstimatorKind kind;
+  std::vector<std::string> states;  ///< the stiffness first
+};
+
 /// A drive model and the estimator's numbers.
 struct Variant {
   std::string key;   ///< for machines
@@ -32,6 +39,7 @@ struct Variant {
   estimator::Model drive;
   estimator::DriveTerms terms;
   bool exactly_as_the_paper;
+  std::optional<StateFilter> filter = {};  ///< instead of the paper's, of the stiffness alone
 
   estimator::EvaluationOptions from(double initial_k_nm_per_rad) const {
     return {.initial_k_nm_per_rad = initial_k_nm_per_rad,
@@ -42,8 +50,9 @@ struct Variant {
 
 /// The first is the paper: equation (2), and gamma, alpha and beta as printed. The second takes
 /// searig's numbers, which suit a module of any size. The third also knows that the train has dry
-/// friction. What each knows of the drive is from the data sheet and the maker's bench; none has
-/// seen a trial.
+/// friction. The fourth also gives the spring the damping term that the paper proposes, equation
+/// (12), and observes the torque's error itself in place of its square. What each knows of the
+/// drive is from the data sheet and the maker's bench; none has seen a trial.
 std::vector<Variant> variants(const Protocol& protocol);
 
 }  // namespace searig::app::reproduce

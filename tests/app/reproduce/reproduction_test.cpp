@@ -81,7 +81,7 @@ TEST(Table1, TheOthersStiffnessLeavesTheTrialItselfOut) {
 // eta is measured at one load; a line through two loads finds the share of the teeth.
 TEST(Variants, KnowTheDriveFromTheBenchAlone) {
   const auto all = variants(Protocol{});
-  ASSERT_EQ(all.size(), 3u);
+  ASSERT_EQ(all.size(), 4u);
   const double eta = *all[0].drive.get("drive.motor", "efficiency");
   EXPECT_GT(eta, 0.75);
   EXPECT_LT(eta, 0.82);
@@ -89,6 +89,19 @@ TEST(Variants, KnowTheDriveFromTheBenchAlone) {
   EXPECT_FALSE(all[0].drive.has("drive.coulomb"));
   EXPECT_NEAR(*all[2].drive.get("drive.motor", "efficiency"), 1.0 / 1.12, 0.005);
   EXPECT_NEAR(*all[2].drive.get("drive.coulomb", "torque_nm"), 0.445 / 1.12, 0.01);
+  EXPECT_EQ(all[3].drive.get("drive.coulomb", "torque_nm"),
+            all[2].drive.get("drive.coulomb", "torque_nm"));
+}
+
+// Rubber that loses work is stiffer while it is loaded, which is when the current is trusted; the
+// damping term of equation (12) takes that off the stiffness.
+TEST(Variants, WithADampingTermFindTheStiffnessOfLossyRubber) {
+  const Protocol protocol;
+  const auto trial = run_trial(1, Hand::holds_against, protocol, variants(protocol));
+  const auto& online = trial.figures.online;
+  ASSERT_TRUE(online[3].approach);
+  EXPECT_LT(std::abs(online[3].approach->off_percent), 5.0);
+  EXPECT_LT(online[3].good.error_percent, online[2].good.error_percent);
 }
 
 TEST(Figures, AreAsLongAsTheirColumnsAndKeepToTheWindow) {
