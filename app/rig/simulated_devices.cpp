@@ -123,12 +123,14 @@ SimulatedSources simulated_sources(bool module, bool loadcell, const DeviceOptio
 
 SimulatedSources open_rig(const std::string& module, const std::string& loadcell,
                           const DeviceOptions& options) {
-  const bool no_module = module == simulated, no_loadcell = loadcell == simulated;
-  if (!no_module && !no_loadcell)
-    return {acquisition::open_source(module), acquisition::open_source(loadcell), {}, {}};
-  SimulatedSources rig = simulated_sources(no_module, no_loadcell, options);
-  if (!no_module) rig.module = acquisition::open_source(module);
-  if (!no_loadcell) rig.loadcell = acquisition::open_source(loadcell);
+  // Real ones first: a name that makes no sense is said at once.
+  SimulatedSources real;
+  if (module != simulated) real.module = acquisition::open_source(module);
+  if (loadcell != simulated) real.loadcell = acquisition::open_source(loadcell);
+  if (real.module && real.loadcell) return real;
+  SimulatedSources rig = simulated_sources(!real.module, !real.loadcell, options);
+  if (real.module) rig.module = std::move(real.module);
+  if (real.loadcell) rig.loadcell = std::move(real.loadcell);
   return rig;
 }
 

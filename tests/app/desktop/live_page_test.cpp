@@ -101,7 +101,8 @@ TEST(LivePage, SaysWhatToDoInsteadOfDoingNothing) {
   window->live().choice().choose("nonsense", "sim:");
   QTest::keyClick(window.get(), Qt::Key_R, Qt::ControlModifier);
   wait_until(20.0, [&] { return window->live().message().contains("nonsense"); });
-  EXPECT_NE(window->live().message().indexOf("nonsense"), -1);
+  EXPECT_NE(window->live().message().indexOf("nonsense"), -1)
+      << window->live().message().toStdString();
   EXPECT_FALSE(window->live().connected());
 }
 
