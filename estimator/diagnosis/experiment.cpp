@@ -199,8 +199,10 @@ void mark_usable(Experiment& e) {
   }
   if (!e.has_drive()) return;
   const auto covered = e.at_drive.covered(gap_s);
-  // One way as far as the filter reaches, which smears the jump of friction at a reversal.
-  const auto moves = moving(e.motion, e.drive_t, e.drive_width_s / 2 + half_width_s);
+  // One way as far as the current's filter reaches, which smears the jump of friction at a
+  // reversal.
+  const double reach_s = e.has_spring() ? e.drive_width_s / 2 + half_width_s : e.drive_width_s;
+  const auto moves = moving(e.motion, e.drive_t, reach_s);
   for (std::size_t i = 0; i < covered.size(); ++i)
     e.usable.push_back(covered[i] && moves[i] && (e.has_spring() || !spike[i]));
 }
