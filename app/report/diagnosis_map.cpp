@@ -106,20 +106,36 @@ void draw_key(Canvas& canvas, double top) {
   canvas.text(right + 14, top + 10, "mean difference, in standard errors");
 }
 
+constexpr double rows_top = margin_px + 30.0;
+
+double row_height(bool both) {
+  return strip_px * (both ? 2.0 : 1.0) + axis_px;
+}
+
 }  // namespace
+
+int map_height(const std::vector<Cell>& cells, const std::string& residual, bool both) {
+  const auto rows = rows_of(cells, residual);
+  if (rows.empty()) return 0;
+  return static_cast<int>(rows_top + row_height(both) * double(rows.size()) + 34.0);
+}
+
+void draw_mismatch_map(Canvas& canvas, const std::vector<Cell>& cells, const std::string& residual,
+                       const std::string& title, bool both, int width) {
+  const auto rows = rows_of(cells, residual);
+  if (rows.empty()) return;
+  canvas.text(margin_px, margin_px + 10, title, Anchor::start, "t");
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    draw_row(canvas, rows[i], both, rows_top + row_height(both) * double(i), width);
+  draw_key(canvas, rows_top + row_height(both) * double(rows.size()));
+}
 
 std::string mismatch_map(const std::vector<Cell>& cells, const std::string& residual,
                          const std::string& title, bool both, int width) {
-  const auto rows = rows_of(cells, residual);
-  if (rows.empty()) return "";
-  const double row_px = strip_px * (both ? 2.0 : 1.0) + axis_px, rows_top = margin_px + 30.0;
-  const double key_top = rows_top + row_px * double(rows.size());
-  SvgCanvas canvas({width, static_cast<int>(key_top + 34.0)}, title);
-  canvas.text(margin_px, margin_px + 10, title, Anchor::start, "t");
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    draw_row(canvas, rows[i], both, rows_top + row_px * double(i), width);
-  }
-  draw_key(canvas, key_top);
+  const int height = map_height(cells, residual, both);
+  if (height == 0) return "";
+  SvgCanvas canvas({width, height}, title);
+  draw_mismatch_map(canvas, cells, residual, title, both, width);
   return std::move(canvas).finish();
 }
 

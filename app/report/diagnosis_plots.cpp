@@ -125,6 +125,29 @@ Against path_of(const Examined& examined, const std::string& effect) {
                                                                            : Against::spring;
 }
 
+Against main_path(const Examined& examined) {
+  const estimator::Diagnosis& d = examined.diagnosis;
+  if (!d.findings.empty()) return path_of(examined, d.findings.front().effect);
+  if (d.unexplained && d.drive && !d.unexplained->located.residuals.empty() &&
+      d.unexplained->located.residuals.front() == "loadcell-drive") {
+    return Against::drive;
+  }
+  return d.spring ? Against::spring : Against::drive;
+}
+
+std::vector<std::pair<double, double>> intervals_to_shade(const Examined& examined) {
+  const auto& d = examined.diagnosis;
+  std::vector<std::pair<double, double>> intervals;
+  if (!d.findings.empty())
+    intervals = d.findings.front().located.intervals_s;
+  else if (d.unexplained)
+    intervals = d.unexplained->located.intervals_s;
+  double covered = 0.0;
+  for (const auto& [from, to] : intervals) covered += to - from;
+  if (covered > 0.85 * seconds_of(examined.parts)) intervals.clear();
+  return intervals;
+}
+
 bool has_path(const Examined& examined, Against path) {
   const auto& d = examined.diagnosis;
   return path == Against::spring ? d.spring.has_value() : d.drive.has_value();

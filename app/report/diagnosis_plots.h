@@ -17,6 +17,13 @@ enum class Against { spring, drive };
 /// where the recording has one.
 Against path_of(const Examined& examined, const std::string& effect);
 
+/// The comparison that shows the first finding, or what remains.
+Against main_path(const Examined& examined);
+
+/// Where the first finding, or what remains, shows most, s on the module's clock; empty where that
+/// is nearly everywhere, for then shading tells nothing.
+std::vector<std::pair<double, double>> intervals_to_shade(const Examined& examined);
+
 bool has_path(const Examined& examined, Against path);
 
 /// Held-out residual before and after on the same axes; `intervals_s` are shaded.

@@ -26,22 +26,6 @@ std::string title_with(const Examined& examined) {
                                 : names);
 }
 
-double seconds_of(const Examined& examined) {
-  double sum = 0.0;
-  for (const Part& part : examined.parts) sum += part.to_s - part.from_s;
-  return sum;
-}
-
-Against main_path(const Examined& examined) {
-  const Diagnosis& d = examined.diagnosis;
-  if (!d.findings.empty()) return path_of(examined, d.findings.front().effect);
-  if (d.unexplained && d.drive && !d.unexplained->located.residuals.empty() &&
-      d.unexplained->located.residuals.front() == "loadcell-drive") {
-    return Against::drive;
-  }
-  return d.spring ? Against::spring : Against::drive;
-}
-
 void write_facts(HtmlReport& report, const Examined& examined) {
   const Diagnosis& d = examined.diagnosis;
   std::vector<std::pair<std::string, std::string>> facts;
@@ -57,23 +41,8 @@ void write_facts(HtmlReport& report, const Examined& examined) {
                      fell ? figures(before, 2) + " → " + after : after});
     facts.push_back({"noise", with_unit(path->noise_floor, "N·m", 2)});
   }
-  facts.push_back({"length", number(seconds_of(examined), 0) + " s"});
+  facts.push_back({"length", number(seconds_of(examined.parts), 0) + " s"});
   report.facts(facts);
-}
-
-std::vector<std::pair<double, double>> intervals_of(const Diagnosis& d) {
-  if (!d.findings.empty()) return d.findings.front().located.intervals_s;
-  if (d.unexplained) return d.unexplained->located.intervals_s;
-  return {};
-}
-
-/// Where everything is off, shading tells nothing.
-std::vector<std::pair<double, double>> worth_shading(
-    std::vector<std::pair<double, double>> intervals, const Examined& examined) {
-  double covered = 0.0;
-  for (const auto& [from, to] : intervals) covered += to - from;
-  if (covered > 0.85 * seconds_of(examined)) intervals.clear();
-  return intervals;
 }
 
 std::string channel_of(const Diagnosis& d) {
@@ -142,7 +111,7 @@ void write_pictures(HtmlReport& report, const Examined& examined) {
   const Diagnosis& d = examined.diagnosis;
   const bool changed = d.verdict != Verdict::consistent;
   const Against first = main_path(examined);
-  const auto intervals = worth_shading(intervals_of(d), examined);
+  const auto intervals = intervals_to_shade(examined);
   report.heading(changed ? "Before and after" : "What is left");
   report.figure(residual_over_time(examined, first, intervals),
                 "What the load cell measured less what the simulation says. Every stretch of about "

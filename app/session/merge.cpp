@@ -59,6 +59,12 @@ void append_loadcell(Merged& out, const estimator::Signals& from, double shift_s
 
 }  // namespace
 
+double seconds_of(const std::vector<Part>& parts) {
+  double sum = 0.0;
+  for (const Part& part : parts) sum += part.to_s - part.from_s;
+  return sum;
+}
+
 Merged merge(const std::vector<const Session*>& sessions) {
   Merged out;
   for (const Session* session : sessions) {

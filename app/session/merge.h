@@ -14,6 +14,9 @@ struct Part {
   double from_s = 0.0, to_s = 0.0;
 };
 
+/// Of the recordings together, without the rests between them.
+double seconds_of(const std::vector<Part>& parts);
+
 struct Merged {
   estimator::Signals signals;
   std::vector<Part> parts;
