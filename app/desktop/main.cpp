@@ -7,11 +7,14 @@
 #include <iostream>
 #include <string>
 
+#include "app/desktop/diagnose/diagnose_page.h"
+#include "app/desktop/display.h"
 #include "app/desktop/layout_description.h"
 #include "app/desktop/live/live_page.h"
 #include "app/desktop/live/live_plots.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/qt_messages.h"
+#include "app/desktop/replay/replay_page.h"
 #include "app/desktop/theme.h"
 
 namespace {
@@ -21,6 +24,7 @@ using namespace searig::app::desktop;
 struct Options {
   std::string recording, as_live;
   bool live = false;
+  bool diagnose = false;
   double seconds = 20.0;
   bool offscreen = false;
   std::string screenshot;
@@ -51,6 +55,10 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--layout", options.layout,
                  "With --screenshot: write where plots and words are (JSON)")
       ->needs(picture);
+  app.add_flag("--diagnose", options.diagnose,
+               "With --screenshot: hold the recording against its model first")
+      ->needs(picture)
+      ->needs(recording);
   app.add_option("--page", options.page, "The page in front: live, replay or diagnose")
       ->check(CLI::IsMember({"live", "replay", "diagnose"}));
   app.add_option("--theme", options.theme, "light, dark or system")
@@ -71,8 +79,7 @@ Theme theme_of(const Options& options) {
 
 /// What was asked for; one sentence where it cannot be had.
 std::string begin(MainWindow& window, const Options& options) {
-  if (!options.recording.empty() && !window.open_recording(options.recording))
-    return window.page_in_front().message().toStdString();
+  if (!options.recording.empty()) window.open_recording(options.recording);
   try {
     if (!options.as_live.empty()) window.live().show_as_live(options.as_live, options.seconds);
   } catch (const std::exception& error) {
@@ -94,12 +101,24 @@ bool watch_rig(LivePage& live, double seconds) {
   return live.plots().now_s() >= seconds;
 }
 
+/// Until the recording is read, and diagnosed where that was asked for; false where it cannot be.
+bool work_through(MainWindow& window, const Options& options) {
+  if (options.recording.empty()) return true;
+  window.replay().wait();
+  if (!window.replay().session()) return false;
+  if (!options.diagnose) return true;
+  window.diagnose().diagnose();
+  window.diagnose().wait();
+  return true;
+}
+
 int take_screenshot(MainWindow& window, const Options& options) {
   window.show();
   QApplication::processEvents();  // lays the window out at its size
   if (const std::string why = begin(window, options); !why.empty()) return fail(why);
   if (options.live && !watch_rig(window.live(), options.seconds))
     return fail(window.live().message().toStdString());
+  if (!work_through(window, options)) return fail(window.replay().message().toStdString());
   for (int pass = 0; pass < 3; ++pass) QApplication::processEvents();  // layouts within layouts
   if (!window.grab().save(QString::fromStdString(options.screenshot))) {
     return fail("The picture " + options.screenshot + " cannot be written.");
@@ -129,6 +148,10 @@ int main(int argc, char** argv) {
       qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
     return fail("There is no display (DISPLAY is not set); add --offscreen --screenshot FILE.png.");
   }
+  if (!options.offscreen && !display_answers(argc, argv)) {
+    return fail("The display " + qEnvironmentVariable("DISPLAY").toStdString() +
+                " does not answer; start one, or add --offscreen --screenshot FILE.png.");
+  }
   qInstallMessageHandler(drop_noise);
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
@@ -142,7 +165,10 @@ int main(int argc, char** argv) {
   window.resize(options.width, options.height);
   if (!options.screenshot.empty()) return take_screenshot(window, options);
 
+  window.continue_session(SessionStore(SessionStore::usual_place()));
+  if (options.theme != "system") window.set_dark(theme.dark());
   window.show();
+  if (options.recording.empty() && options.as_live.empty() && !options.live) window.reopen_last();
   if (const std::string why = begin(window, options); !why.empty()) std::cerr << why << '\n';
   return QApplication::exec();
 }

@@ -2,61 +2,68 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDropEvent>
 #include <QFileDialog>
+#include <QLabel>
 #include <QMenuBar>
+#include <QMimeData>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <utility>
 
 #include "app/desktop/diagnose/diagnose_page.h"
+#include "app/desktop/exports.h"
+#include "app/desktop/help.h"
 #include "app/desktop/live/live_page.h"
 #include "app/desktop/replay/replay_page.h"
+#include "app/desktop/work_bar.h"
 
 namespace searig::app::desktop {
+namespace {
+
+/// Of a recording in a folder, a file dialog and a file manager give a file.
+std::filesystem::path recording_at(const QString& file) {
+  const std::filesystem::path path = file.toStdString();
+  return path.filename() == "recording.toml" ? path.parent_path() : path;
+}
+
+}  // namespace
 
 MainWindow::MainWindow(const Theme& theme)
     : theme_(theme),
       tabs_(new QTabWidget(this)),
       live_(new LivePage(*this)),
       replay_(new ReplayPage(*this)),
-      diagnose_(new DiagnosePage(*this)) {
+      diagnose_(new DiagnosePage(*this)),
+      work_(new WorkBar(this)),
+      notice_(new QLabel(this)),
+      help_(new Help(this)) {
   resize(1280, 800);
+  setAcceptDrops(true);
   tabs_->setDocumentMode(true);
   tabs_->tabBar()->setFocusPolicy(Qt::NoFocus);  // the arrow keys are the page's
-  setCentralWidget(tabs_);
+  notice_->setObjectName(QStringLiteral("notice"));
+  notice_->setContentsMargins(14, 2, 14, 4);
+  auto* centre = new QWidget(this);
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(tabs_, 1);
+  layout->addWidget(work_);
+  layout->addWidget(notice_);
+  setCentralWidget(centre);
   for (Page* page :
        {static_cast<Page*>(live_), static_cast<Page*>(replay_), static_cast<Page*>(diagnose_)})
     tabs_->addTab(page, page->name());
-  make_actions();
+  make_file_menu();
+  make_view_menu();
+  make_help_menu();
   set_theme(theme);
+  say({});
   connect(tabs_, &QTabWidget::currentChanged, this, [this] { turn_to_page(); });
   turn_to_page();
-}
-
-void MainWindow::make_actions() {
-  QMenu* file = menuBar()->addMenu(QStringLiteral("&File"));
-  QAction* open = file->addAction(QStringLiteral("&Open recording…"));
-  open->setShortcut(QKeySequence::Open);
-  connect(open, &QAction::triggered, this, [this] { choose_recording(); });
-  file->addSeparator();
-  QAction* quit = file->addAction(QStringLiteral("&Quit"));
-  quit->setShortcut(QKeySequence::Quit);
-  connect(quit, &QAction::triggered, this, [this] { close(); });
-
-  QMenu* view = menuBar()->addMenu(QStringLiteral("&View"));
-  for (int i = 0; i < tabs_->count(); ++i) {
-    QAction* turn = view->addAction(tabs_->tabText(i));
-    turn->setShortcut(QKeySequence(int(Qt::CTRL) | (int(Qt::Key_1) + i)));
-    connect(turn, &QAction::triggered, this, [this, i] { tabs_->setCurrentIndex(i); });
-  }
-  view->addSeparator();
-  QAction* dark = view->addAction(QStringLiteral("&Dark"));
-  dark->setShortcut(QKeySequence(int(Qt::CTRL) | Qt::Key_D));
-  dark->setCheckable(true);
-  dark->setChecked(theme_.dark());
-  connect(dark, &QAction::toggled, this, [this](bool on) {
-    Theme(on).apply(*qApp);
-    set_theme(Theme(on));
-  });
 }
 
 Page& MainWindow::page_in_front() const {
@@ -73,8 +80,9 @@ void MainWindow::show_page(const QString& name) {
 void MainWindow::turn_to_page() {
   for (int i = 0; i < tabs_->count(); ++i)
     menuBar()->removeAction(static_cast<Page*>(tabs_->widget(i))->menu()->menuAction());
-  menuBar()->addMenu(page_in_front().menu());
+  menuBar()->insertMenu(fixed_[2]->menuAction(), page_in_front().menu());
   page_in_front().setFocus();
+  say({});
   caption_changed();
 }
 
@@ -84,21 +92,117 @@ void MainWindow::caption_changed() {
                                    : caption + QStringLiteral(" – searig"));
 }
 
-bool MainWindow::open_recording(const std::filesystem::path& recording) {
+void MainWindow::say(const QString& words) {
+  notice_->setText(words);
+  notice_->setVisible(!words.isEmpty());
+}
+
+QString MainWindow::notice() const {
+  return notice_->text();
+}
+
+void MainWindow::open_recording(const std::filesystem::path& recording) {
   tabs_->setCurrentWidget(replay_);
-  if (!replay_->open(recording)) return false;
-  diagnose_->choose(recording);
-  caption_changed();
-  return true;
+  replay_->open(recording, [this, recording](std::shared_ptr<const Session> session) {
+    diagnose_->choose(std::move(session));
+    store_.add_recent(QString::fromStdString(std::filesystem::absolute(recording).string()));
+    list_recent();
+  });
 }
 
 void MainWindow::choose_recording() {
   const QString file = QFileDialog::getOpenFileName(
       this, QStringLiteral("Open a recording"), {},
       QStringLiteral("Recordings (*.mcap recording.toml *.hebilog);;All files (*)"));
+  if (!file.isEmpty()) open_recording(recording_at(file));
+}
+
+void MainWindow::use_model(const std::filesystem::path& model_file) {
+  replay_->use_model(model_file);
+  diagnose_->use_model(model_file);
+}
+
+void MainWindow::continue_session(SessionStore store) {
+  store_ = std::move(store);
+  restoreGeometry(store_.geometry());
+  show_page(store_.page());
+  if (const auto dark = store_.dark()) set_dark(*dark);
+  list_recent();
+}
+
+void MainWindow::reopen_last() {
+  const QStringList recent = store_.recent();
+  if (recent.isEmpty() || !std::filesystem::exists(recent.front().toStdString())) return;
+  const QString page = page_in_front().name().toLower();
+  open_recording(recent.front().toStdString());
+  show_page(page);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  store_.keep_window(saveGeometry(), page_in_front().name().toLower(), theme_.dark());
+  QMainWindow::closeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  if (!urls.isEmpty()) open_recording(recording_at(urls.front().toLocalFile()));
+}
+
+void MainWindow::choose_export(const QString& kind, const QString& ending) {
+  const QString caption = page_in_front().caption();
+  const QString name = (caption.isEmpty() ? QStringLiteral("searig") : caption) + ending;
+  QString file = QFileDialog::getSaveFileName(this, QStringLiteral("Export"), name,
+                                              QStringLiteral("%1 (*%2)").arg(kind, ending));
   if (file.isEmpty()) return;
-  const std::filesystem::path path = file.toStdString();
-  open_recording(path.filename() == "recording.toml" ? path.parent_path() : path);
+  if (!file.endsWith(ending)) file += ending;
+  export_to(file.toStdString());
+}
+
+void MainWindow::export_to(const std::filesystem::path& file) {
+  const QString done = QStringLiteral("Written: %1").arg(QString::fromStdString(file.string()));
+  const auto session = replay_->session();
+  const ExportKind kind = export_kind(file);
+  try {
+    switch (kind) {
+      case ExportKind::picture:
+        save_picture(page_in_front(), file);
+        return say(done);
+      case ExportKind::drawing:
+        save_drawing(page_in_front(), file);
+        return say(done);
+      case ExportKind::report:
+        diagnose_->save_report(file);
+        return say(done);
+      case ExportKind::none:
+        return say(QStringLiteral("%1: end the name with .png, .svg, .csv, .mat, .h5 or .html.")
+                       .arg(QString::fromStdString(file.string())));
+      default:
+        break;
+    }
+  } catch (const std::exception& error) {
+    return say(QString::fromUtf8(error.what()));
+  }
+  if (!session) return say(QStringLiteral("Open a recording first, with Ctrl+O."));
+  say({});
+  work_->start(
+      QStringLiteral("Writing %1").arg(QString::fromStdString(file.filename().string())),
+      [=, this, path = session->recording.path](const WorkBar::Progress&) -> std::function<void()> {
+        save_recording(path, kind, file);
+        return [=, this] { say(done); };
+      },
+      [this](const QString& why) { say(why); });
+}
+
+void MainWindow::wait_for_export() {
+  work_->wait();
+}
+
+void MainWindow::set_dark(bool dark) {
+  dark_->setChecked(dark);
 }
 
 void MainWindow::set_theme(const Theme& theme) {

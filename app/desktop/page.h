@@ -17,9 +17,10 @@ namespace searig::app::desktop {
 class Shell {
  public:
   virtual ~Shell() = default;
-  /// On the pages that show recordings; goes to Replay. False where it cannot be opened: the page
-  /// then says why.
-  virtual bool open_recording(const std::filesystem::path& recording) = 0;
+  /// On the pages that show recordings; goes to Replay, which says why where it cannot be opened.
+  virtual void open_recording(const std::filesystem::path& recording) = 0;
+  /// From now on the model that recordings are held against.
+  virtual void use_model(const std::filesystem::path& model_file) = 0;
   /// The caption of a page has changed.
   virtual void caption_changed() = 0;
 };

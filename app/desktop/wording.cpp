@@ -46,7 +46,7 @@ QString stiffness_words(const History& history) {
 }
 
 QString spread_words(const History& history) {
-  if (history.stiffness_nm_per_rad.empty()) return {};
+  if (history.stiffness_sd_nm_per_rad.empty()) return {};
   const double half_width = 1.96 * history.stiffness_sd_nm_per_rad.back();
   if (!std::isfinite(half_width)) return QStringLiteral("the filter has not started");
   return QStringLiteral("±%1 by the filter's own account")

@@ -5,10 +5,12 @@
 #include <qwt_plot_grid.h>
 #include <qwt_plot_layout.h>
 #include <qwt_plot_marker.h>
+#include <qwt_plot_zoneitem.h>
 #include <qwt_scale_draw.h>
 #include <qwt_scale_widget.h>
 
 #include <QLabel>
+#include <QPen>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -19,6 +21,7 @@ namespace searig::app::desktop {
 namespace {
 
 constexpr int half_label_px = 24;
+constexpr double shade_opacity = 0.22;
 constexpr int axis_width_px = 46;  // the same in every plot, so that their time axes line up
 
 QwtText small_text(const QString& words) {
@@ -55,6 +58,7 @@ QString over(const QColor& colour, const QColor& under, double opacity) {
 TimePlot::TimePlot(const QString& title, const QString& y_label, QWidget* parent)
     : QWidget(parent),
       title_(title),
+      y_label_(y_label),
       caption_(new QLabel(this)),
       plot_(new QwtPlot(this)),
       grid_(new QwtPlotGrid),
@@ -81,6 +85,7 @@ TimePlot::TimePlot(const QString& title, const QString& y_label, QWidget* parent
   canvas->setPaintAttribute(QwtPlotCanvas::Opaque, true);
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::Base);
+  grid_->setZ(-5.0);  // below the curves
   grid_->attach(plot_);
   curves_->setZ(grid_->z() + 1.0);
   curves_->attach(plot_);
@@ -91,9 +96,44 @@ const QWidget& TimePlot::canvas() const {
   return *plot_->canvas();
 }
 
+QWidget& TimePlot::canvas() {
+  return *plot_->canvas();
+}
+
+double TimePlot::time_at(int x_px) const {
+  const Range shown = x_range();
+  return shown.low + (shown.high - shown.low) * x_px / std::max(1, canvas().width() - 1);
+}
+
 Range TimePlot::x_range() const {
   const auto interval = plot_->axisInterval(QwtPlot::xBottom);
   return {interval.minValue(), interval.maxValue()};
+}
+
+Plot TimePlot::as_plot() const {
+  Plot plot{.title = title_.toStdString(),
+            .x_label = "time (s)",
+            .y_label = y_label_.toStdString(),
+            .marks = mark_data_,
+            .shaded_name = shading_.name.toStdString(),
+            .x_range = x_range(),
+            .y_range = y_range()};
+  plot.shaded = shaded_data_;
+  for (const Entry& entry : legend_) {
+    if (!entry.x || !entry.y || entry.x->empty()) continue;
+    const auto& x = *entry.x;
+    const auto begin = std::lower_bound(x.begin(), x.end(), plot.x_range->low);
+    const auto end = std::upper_bound(begin, x.end(), plot.x_range->high);
+    const auto first = std::max<std::ptrdiff_t>(0, begin - x.begin() - 1);
+    const auto last = std::min<std::ptrdiff_t>(std::ptrdiff_t(x.size()), end - x.begin() + 1);
+    const auto part = [&](const std::vector<double>& column) {
+      return std::vector<double>(column.begin() + first, column.begin() + last);
+    };
+    Series series{entry.name.toStdString(), part(x), part(*entry.y), entry.style, entry.hue};
+    if (entry.high) series.y_high = part(*entry.high);
+    plot.series.push_back(std::move(series));
+  }
+  return plot;
 }
 
 Range TimePlot::y_range() const {
@@ -101,39 +141,46 @@ Range TimePlot::y_range() const {
   return {interval.minValue(), interval.maxValue()};
 }
 
-std::size_t TimePlot::add(const QString& name, Hue hue, const QString& sign, double opacity) {
-  legend_.push_back({name, hue, sign, opacity});
+std::size_t TimePlot::add(const QString& name, Hue hue, const QString& sign, double opacity,
+                          Style style) {
+  legend_.push_back({name, hue, sign, opacity, style});
   return legend_.size() - 1;
 }
 
 std::size_t TimePlot::add_curve(const QString& name, Hue hue) {
   curves_->add(SpanItem::Kind::line);
-  return add(name, hue, QStringLiteral("&#x2501;&#x2501;"), 1.0);
+  return add(name, hue, QStringLiteral("&#x2501;&#x2501;"), 1.0, Style::line);
 }
 
 std::size_t TimePlot::add_dots(const QString& name, Hue hue) {
   curves_->add(SpanItem::Kind::dots);
-  return add(name, hue, QStringLiteral("&#x25cf;"), 1.0);
+  return add(name, hue, QStringLiteral("&#x25cf;"), 1.0, Style::dots);
 }
 
 std::size_t TimePlot::add_band(const QString& name, Hue hue, double opacity) {
   curves_->add(SpanItem::Kind::band);
-  return add(name, hue, QStringLiteral("&#x25a0;"), opacity);
+  return add(name, hue, QStringLiteral("&#x25a0;"), opacity, Style::band);
 }
 
 void TimePlot::set_data(std::size_t place, const std::vector<double>* x,
                         const std::vector<double>* y) {
+  legend_[place].x = x;
+  legend_[place].y = y;
   curves_->set_data(place, x, y, nullptr);
 }
 
 void TimePlot::set_band(std::size_t place, const std::vector<double>* x,
                         const std::vector<double>* low, const std::vector<double>* high) {
+  legend_[place].x = x;
+  legend_[place].y = low;
+  legend_[place].high = high;
   curves_->set_data(place, x, low, high);
 }
 
 void TimePlot::set_marks(const std::vector<Mark>& marks) {
   for (auto* mark : marks_) delete mark;  // which detaches it
   marks_.clear();
+  mark_data_ = marks;
   for (const Mark& mark : marks) {
     auto* line = new QwtPlotMarker;
     line->setLineStyle(QwtPlotMarker::VLine);
@@ -146,6 +193,28 @@ void TimePlot::set_marks(const std::vector<Mark>& marks) {
     line->attach(plot_);
     marks_.push_back(line);
   }
+}
+
+void TimePlot::set_shaded(const std::vector<Interval>& intervals, const QString& name) {
+  for (auto* zone : shaded_) delete zone;  // which detaches it
+  shaded_.clear();
+  shaded_data_ = intervals;
+  for (const Interval& interval : intervals) {
+    auto* zone = new QwtPlotZoneItem;
+    zone->setOrientation(Qt::Vertical);
+    zone->setInterval(interval.from, interval.to);
+    zone->setPen(QPen(Qt::NoPen));
+    QColor colour = theme_.colour(interval.hue);
+    colour.setAlphaF(shade_opacity);
+    zone->setBrush(colour);
+    zone->setZ(-10.0);  // behind the curves
+    zone->attach(plot_);
+    shaded_.push_back(zone);
+  }
+  shading_ = {intervals.empty() ? QString() : name,
+              intervals.empty() ? Hue::orange : intervals.front().hue, QStringLiteral("&#x25a0;"),
+              shade_opacity};
+  write_caption();
 }
 
 void TimePlot::fix_y(Range range) {
@@ -203,8 +272,9 @@ void TimePlot::rename_curve(std::size_t place, const QString& name) {
 
 void TimePlot::write_caption() {
   QString text = QStringLiteral("<b>%1</b>").arg(title_.toHtmlEscaped());
-  for (auto item = legend_.rbegin(); item != legend_.rend(); ++item) {  // what is above first
-    const Entry& entry = *item;
+  std::vector<Entry> entries(legend_.rbegin(), legend_.rend());  // what is above first
+  entries.push_back(shading_);
+  for (const Entry& entry : entries) {
     if (entry.name.isEmpty()) continue;
     text += QStringLiteral("&nbsp;&nbsp;&nbsp; <span style='color:%1'><b>%2</b></span> %3")
                 .arg(over(theme_.colour(entry.hue), theme_.colour(ground), entry.opacity),

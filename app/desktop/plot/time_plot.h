@@ -13,6 +13,7 @@ class QLabel;
 class QwtPlot;
 class QwtPlotGrid;
 class QwtPlotMarker;
+class QwtPlotZoneItem;
 
 namespace searig::app::desktop {
 
@@ -35,6 +36,8 @@ class TimePlot : public QWidget {
                 const std::vector<double>* high);
   /// Vertical lines with a word each.
   void set_marks(const std::vector<Mark>& marks);
+  /// Stretches of time behind the curves; `name` is what they mean, for the legend.
+  void set_shaded(const std::vector<Interval>& intervals, const QString& name);
 
   /// Keeps the y axis where it is; otherwise it follows the data in view.
   void fix_y(Range range);
@@ -46,8 +49,13 @@ class TimePlot : public QWidget {
 
   /// Where the data are drawn, and what range they are drawn over.
   const QWidget& canvas() const;
+  QWidget& canvas();
+  /// Of a point on the canvas, by its logical pixel from the left.
+  double time_at(int x_px) const;
   Range x_range() const;
   Range y_range() const;
+  /// What is in view, for other pictures; data outside are left out, but for a point at each end.
+  Plot as_plot() const;
 
  private:
   struct Entry {
@@ -55,19 +63,27 @@ class TimePlot : public QWidget {
     Hue hue;
     QString sign;  ///< before the name in the legend
     double opacity;
+    Style style = Style::line;
+    const std::vector<double>* x = nullptr;
+    const std::vector<double>* y = nullptr;
+    const std::vector<double>* high = nullptr;
   };
 
-  std::size_t add(const QString& name, Hue hue, const QString& sign, double opacity);
+  std::size_t add(const QString& name, Hue hue, const QString& sign, double opacity, Style style);
   void follow_data();
   void write_caption();
 
-  QString title_;
+  QString title_, y_label_;
   Theme theme_{false};
   QLabel* caption_;
   QwtPlot* plot_;
   QwtPlotGrid* grid_;  // owned by plot_, as the items below
   SpanItem* curves_;
   std::vector<QwtPlotMarker*> marks_;
+  std::vector<QwtPlotZoneItem*> shaded_;
+  std::vector<Mark> mark_data_;
+  std::vector<Interval> shaded_data_;
+  Entry shading_{{}, Hue::orange, {}, 0.0};
   std::vector<Entry> legend_;
   bool y_fixed_ = false;
 };

@@ -1,9 +1,13 @@
 #include "app/desktop/replay/history_view.h"
 
 #include <QLabel>
+#include <QScrollBar>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
+#include "app/desktop/plot/time_mouse.h"
 #include "app/desktop/plot/time_plot.h"
 #include "app/desktop/readouts.h"
 #include "app/desktop/wording.h"
@@ -12,6 +16,11 @@ namespace searig::app::desktop {
 namespace {
 
 enum Place : std::size_t { stiffness, error, weight, clocks, streams };
+enum Curve : std::size_t { measured, first_torque, second_torque };
+enum Run : std::size_t { first, second };
+
+constexpr double scrub_steps = 1e6;  // of the scroll bar, which counts in whole numbers
+constexpr double shortest_s = 0.05, longest_s = 36000.0;
 
 }  // namespace
 
@@ -19,7 +28,8 @@ HistoryView::HistoryView(QWidget* parent)
     : QWidget(parent),
       readouts_(new Readouts(this)),
       hint_(new QLabel(this)),
-      status_(new QLabel(this)) {
+      status_(new QLabel(this)),
+      scrub_(new QScrollBar(Qt::Horizontal, this)) {
   readouts_->add(QStringLiteral("spring stiffness"), true);
   readouts_->add(QStringLiteral("torque error"));
   readouts_->add(QStringLiteral("trust in motor current"));
@@ -30,15 +40,27 @@ HistoryView::HistoryView(QWidget* parent)
   hint_->setObjectName(QStringLiteral("hint"));
   status_->setContentsMargins(14, 4, 14, 6);  // in line with the numbers above
   status_->setObjectName(QStringLiteral("status"));
+  status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  scrub_->setObjectName(QStringLiteral("scrub"));
+  scrub_->setFocusPolicy(Qt::NoFocus);
+  connect(scrub_, &QScrollBar::valueChanged, this, [this](int value) { scroll_to(value); });
   make_plots();
+  watch_mouse();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(1);
   layout->addWidget(readouts_);
   layout->addWidget(hint_);
-  layout->addWidget(torque_, 5);
-  layout->addWidget(weight_, 3);
-  layout->addWidget(stiffness_, 3);
+  auto* plots = new QVBoxLayout;
+  plots->setSpacing(1);
+  plots->addWidget(torque_, 5);
+  plots->addWidget(weight_, 3);
+  plots->addWidget(stiffness_, 3);
+  plots->addWidget(scrub_);
+  row_ = new QHBoxLayout;
+  row_->setSpacing(0);
+  row_->addLayout(plots, 1);
+  layout->addLayout(row_, 1);
   layout->addWidget(status_);
   show_range(range_);
 }
@@ -48,34 +70,62 @@ void HistoryView::make_plots() {
   torque_->setObjectName(QStringLiteral("torque"));
   torque_->add_curve(QStringLiteral("measured by the load cell"), Hue::ink);
   torque_->add_curve(QStringLiteral("estimated from the spring"), Hue::blue);
+  torque_->add_curve({}, Hue::vermilion);
   weight_ = new TimePlot(QStringLiteral("Trust in the motor current"),
                          QStringLiteral("weight (0 to 1)"), this);
   weight_->setObjectName(QStringLiteral("weight"));
   weight_->add_curve(QStringLiteral("weight"), Hue::purple);
+  weight_->add_curve({}, Hue::vermilion);
   weight_->fix_y({-0.05, 1.05});
   stiffness_ =
       new TimePlot(QStringLiteral("Spring stiffness"), QStringLiteral("k (N·m/rad)"), this);
   stiffness_->setObjectName(QStringLiteral("stiffness"));
   stiffness_->add_curve(QStringLiteral("online estimate"), Hue::green);
+  stiffness_->add_curve({}, Hue::vermilion);
 }
 
-void HistoryView::show_history(const History* history, bool online) {
-  history_ = history;
-  torque_->set_data(0, &history->measured_t_s, &history->measured_nm);
-  torque_->set_data(1, &history->t_s, &history->estimated_nm);
-  weight_->set_data(0, &history->t_s, &history->weight);
-  stiffness_->set_data(0, &history->t_s, &history->stiffness_nm_per_rad);
-  torque_->rename_curve(1, QString::fromStdString(history->estimated_from));
-  weight_->setVisible(online);
-  stiffness_->setVisible(online);
+void HistoryView::watch_mouse() {
+  auto* mouse =
+      new TimeMouse(this, {.zoom = [this](double factor, double at_s) { zoom_at(factor, at_s); },
+                           .move = [this](double share) { move(share); },
+                           .show = [this](Range time_s) { zoom_to(time_s); },
+                           .click =
+                               [this](double at_s, bool second) {
+                                 Cursors cursors = cursors_;
+                                 (second ? cursors.b_s : cursors.a_s) = at_s;
+                                 set_cursors(cursors);
+                               },
+                           .show_all = [this] { show_all(); }});
+  for (TimePlot* plot : plots()) mouse->watch(*plot);
+}
+
+void HistoryView::show_histories(const History* one, const History* other) {
+  first_ = one;
+  second_ = other;
+  static const History none;
+  const History& over = other ? *other : none;
+  torque_->set_data(measured, &one->measured_t_s, &one->measured_nm);
+  torque_->set_data(first_torque, &one->t_s, &one->estimated_nm);
+  torque_->set_data(second_torque, &over.t_s, &over.estimated_nm);
+  weight_->set_data(first, &one->t_s, &one->weight);
+  weight_->set_data(second, &over.t_s, &over.weight);
+  stiffness_->set_data(first, &one->t_s, &one->stiffness_nm_per_rad);
+  stiffness_->set_data(second, &over.t_s, &over.stiffness_nm_per_rad);
+  torque_->rename_curve(first_torque, QString::fromStdString(one->estimated_from));
+  const QString name = other ? QString::fromStdString(over.estimated_from) : QString();
+  torque_->rename_curve(second_torque, name);
+  weight_->rename_curve(second, over.weight.empty() ? QString() : name);
+  stiffness_->rename_curve(second, over.stiffness_nm_per_rad.empty() ? QString() : name);
+  weight_->setVisible(!one->weight.empty() || !over.weight.empty());
+  stiffness_->setVisible(!one->stiffness_nm_per_rad.empty() || !over.stiffness_nm_per_rad.empty());
+  show_range(range_);
 }
 
 void HistoryView::show_numbers(const acquisition::Recording& recording,
-                               const acquisition::ClockMap& clock, bool live) {
-  readouts_->set(stiffness, stiffness_words(*history_), spread_words(*history_));
-  readouts_->set(error, error_words(*history_, live),
-                 live ? QStringLiteral("last 20 s") : QString());
-  readouts_->set(weight, weight_words(*history_));
+                               const acquisition::ClockMap& clock) {
+  readouts_->set(stiffness, stiffness_words(*first_), spread_words(*first_));
+  readouts_->set(error, error_words(*first_, false));
+  readouts_->set(weight, weight_words(*first_));
   readouts_->set(clocks, clock_words(recording, clock));
   readouts_->set(streams, loss_words(recording));
   status_->setText(status_words(recording, clock));
@@ -91,18 +141,46 @@ QString HistoryView::said() const {
   return hint_->text();
 }
 
+double HistoryView::end_s() const {
+  if (!first_) return 1.0;
+  const auto end_of = [](const std::vector<double>& t_s) { return t_s.empty() ? 0.0 : t_s.back(); };
+  return std::max({1.0, end_of(first_->t_s), end_of(first_->measured_t_s)});
+}
+
 void HistoryView::show_range(Range time_s) {
   range_ = time_s;
   // From zero to twice the latest value: a first guess ten times too high would flatten the rest.
-  if (history_ && !history_->stiffness_nm_per_rad.empty())
-    stiffness_->fix_y({0.0, 2.0 * std::max(1e-6, history_->stiffness_nm_per_rad.back())});
-  for (auto* plot : {torque_, weight_, stiffness_}) plot->show_range(time_s);
+  double latest = 0.0;
+  for (const History* history : {first_, second_})
+    if (history && !history->stiffness_nm_per_rad.empty())
+      latest = std::max(latest, history->stiffness_nm_per_rad.back());
+  if (latest > 0.0) stiffness_->fix_y({0.0, 2.0 * latest});
+  for (TimePlot* plot : plots()) plot->show_range(time_s);
+  place_scroll_bar();
 }
 
 void HistoryView::zoom(double factor) {
-  const double span = std::clamp((range_.high - range_.low) * factor, 0.05, 36000.0);
-  const double centre = 0.5 * (range_.low + range_.high);
-  show_range({centre - 0.5 * span, centre + 0.5 * span});
+  zoom_at(factor, 0.5 * (range_.low + range_.high));
+}
+
+/// What is under the pointer stays there.
+void HistoryView::zoom_at(double factor, double at_s) {
+  const double now = range_.high - range_.low;
+  const double span = std::clamp(now * factor, shortest_s, longest_s);
+  const double low = at_s - (at_s - range_.low) * span / now;
+  show_range({low, low + span});
+}
+
+void HistoryView::zoom_to(Range time_s) {
+  if (time_s.high - time_s.low < shortest_s) return;
+  before_.push_back(range_);
+  show_range(time_s);
+}
+
+void HistoryView::back() {
+  if (before_.empty()) return show_all();
+  show_range(before_.back());
+  before_.pop_back();
 }
 
 void HistoryView::move(double share) {
@@ -111,15 +189,39 @@ void HistoryView::move(double share) {
 }
 
 void HistoryView::show_all() {
-  if (!history_) return;
-  const auto end_of = [](const std::vector<double>& t_s) { return t_s.empty() ? 0.0 : t_s.back(); };
-  const double end = std::max(end_of(history_->t_s), end_of(history_->measured_t_s));
-  show_range({0.0, std::max(1.0, end)});
+  if (!first_) return;
+  before_.clear();
+  show_range({0.0, end_s()});
+}
+
+void HistoryView::place_scroll_bar() {
+  const QSignalBlocker quiet(scrub_);
+  const double share = std::min(1.0, (range_.high - range_.low) / end_s());
+  scrub_->setPageStep(std::max(1, int(scrub_steps * share)));
+  scrub_->setSingleStep(std::max(1, int(0.1 * scrub_steps * share)));
+  scrub_->setMaximum(int(scrub_steps) - scrub_->pageStep());
+  scrub_->setValue(int(scrub_steps * range_.low / end_s()));
+  scrub_->setVisible(first_ != nullptr);
+}
+
+void HistoryView::scroll_to(int value) {
+  const double low = value / scrub_steps * end_s();
+  show_range({low, low + range_.high - range_.low});
+}
+
+void HistoryView::set_cursors(const Cursors& cursors) {
+  cursors_ = cursors;
+  std::vector<Mark> marks;
+  if (cursors.a_s) marks.push_back({*cursors.a_s, "A", Hue::ink});
+  if (cursors.b_s) marks.push_back({*cursors.b_s, "B", Hue::orange});
+  for (TimePlot* plot : plots()) plot->set_marks(marks);
+  show_range(range_);
+  if (cursors_moved_) cursors_moved_();
 }
 
 void HistoryView::set_theme(const Theme& theme) {
-  for (auto* plot : {torque_, weight_, stiffness_}) plot->set_theme(theme);
-  show_range(range_);
+  for (TimePlot* plot : plots()) plot->set_theme(theme);
+  set_cursors(cursors_);  // in the new colours
 }
 
 }  // namespace searig::app::desktop

@@ -1,32 +1,57 @@
-// A recording: opened, looked at, moved through.
+// A recording: opened, looked at, moved through, the estimator run over it again.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "app/desktop/page.h"
-#include "app/desktop/replay/recorded.h"
+#include "app/session/estimator_run.h"
 
 namespace searig::app::desktop {
 
+class CursorTable;
 class HistoryView;
+class RunPanel;
+class WorkBar;
 
 class ReplayPage : public Page {
  public:
   explicit ReplayPage(Shell& shell);
 
-  /// False where it could not be opened; the page then says why, without a dialog.
-  bool open(const std::filesystem::path& recording);
+  /// Reads it beside the window, which goes on; then the page says why where it cannot be opened.
+  /// What was open stays until then. `opened` is called once it is there.
+  void open(const std::filesystem::path& recording,
+            std::function<void(std::shared_ptr<const Session>)> opened = {});
+  /// Of the runs to come.
+  void use_model(const std::filesystem::path& file);
+  /// Until nothing is being read or estimated; for tests and pictures.
+  void wait();
 
+  /// Null while none is open.
+  std::shared_ptr<const Session> session() const { return session_; }
+  HistoryView& view() { return *view_; }
   QString caption() const override;
   QString message() const override;
   void set_theme(const Theme& theme) override;
 
  private:
-  void make_actions();
+  using Run = std::shared_ptr<const EstimatorRun>;
 
-  std::unique_ptr<Recorded> recorded_;
+  void make_actions();
+  void show_session(std::shared_ptr<const Session> session);
+  void run_first();
+  void run_again();
+  void show_runs(Run first, Run second);
+  void set_cursor(bool second);
+  void step_cursor(bool second, int pixels);
+
+  std::shared_ptr<const Session> session_;
+  Run first_, second_;
+  WorkBar* work_;
   HistoryView* view_;
+  CursorTable* cursors_;
+  RunPanel* runs_;
 };
 
 }  // namespace searig::app::desktop

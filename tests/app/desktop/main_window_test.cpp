@@ -7,6 +7,7 @@
 
 #include "app/desktop/layout_description.h"
 #include "app/desktop/live/live_page.h"
+#include "app/desktop/replay/replay_page.h"
 #include "tests/app/desktop/offscreen.h"
 
 namespace searig::app::desktop {
@@ -45,7 +46,9 @@ TEST(MainWindow, AKeyIsThePagesThatIsInFront) {
 
 TEST(MainWindow, SaysOfARecordingThatIsNotThereThatItIsNot) {
   const auto window = shown_window();
-  EXPECT_FALSE(window->open_recording("/nowhere"));
+  window->open_recording("/nowhere");
+  window->replay().wait();
+  EXPECT_EQ(window->replay().session(), nullptr);
   EXPECT_EQ(window->page_in_front().name(), "Replay");
   EXPECT_NE(window->page_in_front().message().indexOf("/nowhere"), -1);
 }
@@ -58,7 +61,8 @@ TEST(LayoutDescription, TellsWhatIsVisibleAndWhatIsCut) {
   EXPECT_NE(layout["words"]["hint"].get<std::string>().find("Ctrl+R"), std::string::npos);
   window->show_page("diagnose");
   layout = describe_layout(*window);
-  EXPECT_TRUE(layout["plots"].empty());
+  EXPECT_TRUE(layout["plots"].contains("residual"));
+  EXPECT_FALSE(layout["plots"].contains("torque"));
   auto* label = window->page_in_front().findChild<QWidget*>("hint");
   ASSERT_NE(label, nullptr);
   label->setFixedSize(20, 10);

@@ -17,7 +17,7 @@ inline QApplication& offscreen_application() {
     static int count = 1;
     static char name[] = "desktop_test";
     static char* words[] = {name, nullptr};
-    auto application = std::make_unique<QApplication>(count, words);
+    auto* application = new QApplication(count, words);  // Qt's statics may go before ours
     qInstallMessageHandler(drop_noise);
     Theme(false).apply(*application);
     return application;

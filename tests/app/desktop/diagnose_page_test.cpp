@@ -1,0 +1,126 @@
+#include "app/desktop/diagnose/diagnose_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+
+#include "app/desktop/diagnose/guided_motion.h"
+#include "app/desktop/plot/time_plot.h"
+#include "app/desktop/replay/replay_page.h"
+#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/app/desktop/offscreen.h"
+#include "tests/app/session/sample_recording.h"
+
+namespace searig::app::desktop {
+namespace {
+
+using estimator::Verdict;
+
+class DiagnosePageTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    make_sample_recording(path_);
+    window_ = shown_window();
+    window_->open_recording(path_);
+    window_->replay().wait();
+    key(Qt::Key_3, Qt::ControlModifier);
+  }
+
+  DiagnosePage& page() { return window_->diagnose(); }
+  void key(Qt::Key key, Qt::KeyboardModifiers with = Qt::NoModifier) {
+    QTest::keyClick(window_.get(), key, with);
+  }
+  void find() {
+    key(Qt::Key_D);
+    page().wait();
+    QApplication::processEvents();
+    ASSERT_NE(page().examined(), nullptr) << page().message().toStdString();
+  }
+  template <typename Widget>
+  Widget& child(const char* name) {
+    auto* found = page().findChild<Widget*>(QLatin1String(name));
+    EXPECT_NE(found, nullptr) << name;
+    return *found;
+  }
+  std::string words(const char* name) { return child<QLabel>(name).text().toStdString(); }
+
+  acquisition::TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_.path() / "sample";
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(DiagnosePageTest, NamesWhatTheModelLeavesOutAndAcceptsIt) {
+  EXPECT_FALSE(child<QPushButton>("accept").isEnabled());
+  find();
+  const auto& d = page().examined()->diagnosis;
+  ASSERT_EQ(d.verdict, Verdict::missing_physics);
+  ASSERT_EQ(d.findings.size(), 1u);
+  EXPECT_EQ(d.findings.front().effect, "spring.viscous");
+  EXPECT_NE(words("verdict").find("damping"), std::string::npos) << words("verdict");
+  EXPECT_NE(words("finding").find("spring.viscous"), std::string::npos);
+  EXPECT_NE(page().message().indexOf("A accepts"), -1);
+
+  keep_picture(*window_, "diagnose");
+
+  key(Qt::Key_A);
+  const auto file = path_ / "extended.toml";
+  ASSERT_TRUE(std::filesystem::exists(file)) << page().message().toStdString();
+  const auto model = find_model(path_, file);
+  EXPECT_NEAR(*model->get("spring.viscous", "c_nm_s_per_rad"), sample_c, 0.05);
+  find();  // with it
+  EXPECT_EQ(page().examined()->diagnosis.verdict, Verdict::consistent) << words("verdict");
+  EXPECT_FALSE(child<QPushButton>("accept").isEnabled());
+}
+
+TEST_F(DiagnosePageTest, TheAcceptedModelIsTheNextRunsOnReplay) {
+  find();
+  key(Qt::Key_A);
+  key(Qt::Key_2, Qt::ControlModifier);
+  key(Qt::Key_R);
+  window_->replay().wait();
+  const auto* runs = window_->replay().findChild<QLabel*>("runs");
+  EXPECT_NE(runs->text().indexOf("extended.toml"), -1) << runs->text().toStdString();
+}
+
+TEST_F(DiagnosePageTest, TheNextExperimentLeadsThroughItsMotion) {
+  find();
+  const auto& finding = page().examined()->diagnosis.findings.front();
+  ASSERT_TRUE(finding.next_motion);
+  key(Qt::Key_N);
+  EXPECT_TRUE(child<QLabel>("steps").isVisible());
+  page().guided().show_time(1.0);
+  EXPECT_EQ(words("target"), "Begins in 2 s");
+  page().guided().show_time(8.0);
+  EXPECT_NE(words("target").find("Spring to"), std::string::npos) << words("target");
+  QApplication::processEvents();
+  keep_picture(*window_, "experiment");
+  page().guided().show_time(4.0 + finding.next_motion->seconds);
+  EXPECT_NE(words("target").find("Done"), std::string::npos);
+  key(Qt::Key_Space);
+  EXPECT_TRUE(page().guided().running());
+  key(Qt::Key_N);
+  EXPECT_FALSE(page().guided().running());
+  EXPECT_FALSE(child<QLabel>("steps").isVisible());
+}
+
+TEST_F(DiagnosePageTest, StopsAndGoesOn) {
+  key(Qt::Key_D);
+  EXPECT_FALSE(child<QPushButton>("diagnose").isEnabled());
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(child<QPushButton>("diagnose").isEnabled());
+  page().wait();
+  EXPECT_EQ(page().examined(), nullptr);
+  find();
+}
+
+TEST_F(DiagnosePageTest, AnotherRecordingTakesTheFindingAway) {
+  find();
+  window_->open_recording(path_);
+  window_->replay().wait();
+  EXPECT_EQ(page().examined(), nullptr);
+  EXPECT_TRUE(words("verdict").empty());
+}
+
+}  // namespace
+}  // namespace searig::app::desktop

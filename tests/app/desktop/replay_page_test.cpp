@@ -1,0 +1,152 @@
+#include "app/desktop/replay/replay_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollBar>
+
+#include "app/desktop/plot/time_plot.h"
+#include "app/desktop/replay/history_view.h"
+#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/app/desktop/offscreen.h"
+#include "tests/app/session/sample_recording.h"
+
+namespace searig::app::desktop {
+namespace {
+
+class ReplayPageTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    make_sample_recording(path_);
+    window_ = shown_window();
+    window_->open_recording(path_);
+    page().wait();
+    QApplication::processEvents();
+    ASSERT_NE(page().session(), nullptr) << page().message().toStdString();
+  }
+
+  ReplayPage& page() { return window_->replay(); }
+  HistoryView& view() { return page().view(); }
+  TimePlot& torque() { return *view().plots().front(); }
+  void key(Qt::Key key, Qt::KeyboardModifiers with = Qt::NoModifier) {
+    QTest::keyClick(window_.get(), key, with);
+  }
+  template <typename Widget>
+  Widget& child(const char* name) {
+    auto* found = page().findChild<Widget*>(QLatin1String(name));
+    EXPECT_NE(found, nullptr) << name;
+    return *found;
+  }
+  std::string words(const char* name) { return child<QLabel>(name).text().toStdString(); }
+  /// Where the plot shows a time, on its canvas.
+  QPoint at(double t_s) {
+    const Range x = torque().x_range();
+    const int width = torque().canvas().width();
+    return {int(std::lround((t_s - x.low) / (x.high - x.low) * (width - 1))), 20};
+  }
+
+  acquisition::TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_.path() / "sample";
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(ReplayPageTest, ShowsTheWholeRecordingOnceItIsOpen) {
+  EXPECT_EQ(page().caption(), "sample");
+  EXPECT_NEAR(view().range().low, 0.0, 1e-9);
+  EXPECT_NEAR(view().range().high, sample_seconds, 0.1);
+  EXPECT_NE(page().message().indexOf("Diagnose"), -1);  // what to do next
+}
+
+TEST_F(ReplayPageTest, AxesStayTogetherWhateverMovesThem) {
+  key(Qt::Key_Plus);
+  key(Qt::Key_Right);
+  for (TimePlot* plot : view().plots()) {
+    EXPECT_DOUBLE_EQ(plot->x_range().low, view().range().low);
+    EXPECT_DOUBLE_EQ(plot->x_range().high, view().range().high);
+  }
+  EXPECT_NEAR(view().range().high - view().range().low, sample_seconds / 2, 0.1);
+  auto& scrub = child<QScrollBar>("scrub");
+  scrub.setValue(0);
+  EXPECT_NEAR(view().range().low, 0.0, 1e-6);
+  scrub.setValue(scrub.maximum());
+  EXPECT_NEAR(view().range().high, sample_seconds, 0.1);
+}
+
+TEST_F(ReplayPageTest, ADragEnlargesWhatItSpansAndBackLeadsBack) {
+  QWidget* canvas = &torque().canvas();
+  QTest::mousePress(canvas, Qt::LeftButton, {}, at(10.0));
+  QTest::mouseMove(canvas, at(15.0));
+  QTest::mouseRelease(canvas, Qt::LeftButton, {}, at(15.0));
+  EXPECT_NEAR(view().range().low, 10.0, 0.1);
+  EXPECT_NEAR(view().range().high, 15.0, 0.1);
+  key(Qt::Key_Backspace);
+  EXPECT_NEAR(view().range().high, sample_seconds, 0.1);
+}
+
+TEST_F(ReplayPageTest, CursorsTellValuesAndDifferences) {
+  QWidget* canvas = &torque().canvas();
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, at(10.0));
+  QTest::mouseClick(canvas, Qt::LeftButton, Qt::ShiftModifier, at(30.0));
+  const Cursors& cursors = view().cursors();
+  ASSERT_TRUE(cursors.a_s && cursors.b_s);
+  EXPECT_NEAR(*cursors.a_s, 10.0, 0.05);
+  EXPECT_NEAR(*cursors.b_s, 30.0, 0.05);
+  const double a = std::stod(words("time_a")), b = std::stod(words("time_b"));
+  EXPECT_NEAR(std::stod(words("time_difference")), b - a, 2e-3);
+  // The load cell sees the damped spring; the nearest of its samples is what is said.
+  const auto& loadcell = page().session()->signals.loadcell;
+  const std::size_t i = std::size_t(std::lround(*cursors.a_s * 50.0));
+  std::string said = words("measured_a");
+  if (said.rfind("−", 0) == 0) said = "-" + said.substr(std::string("−").size());
+  EXPECT_NEAR(std::stod(said), loadcell.torque_nm[i], 0.6);
+  const double before = *cursors.a_s;
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  EXPECT_GT(*view().cursors().a_s, before);
+  key(Qt::Key_C);
+  EXPECT_FALSE(view().cursors().a_s);
+  EXPECT_EQ(words("time_a"), "–");
+}
+
+TEST_F(ReplayPageTest, RunsAgainWithOtherSettingsOverTheFirst) {
+  child<QLineEdit>("initial_k").setText("90");
+  key(Qt::Key_R);
+  page().wait();
+  EXPECT_NE(words("runs").find("online from k = 90"), std::string::npos) << words("runs");
+  EXPECT_TRUE(child<QLabel>("second_torque_a").isVisible());
+  view().set_cursors({2.0, 8.5});
+  view().show_range({0.0, 12.0});
+  for (int pass = 0; pass < 4; ++pass) QApplication::processEvents();  // layouts within layouts
+  keep_picture(*window_, "replay");
+  key(Qt::Key_X);
+  EXPECT_EQ(words("runs").find("k = 90"), std::string::npos);
+  EXPECT_FALSE(child<QLabel>("second_torque_a").isVisible());
+}
+
+TEST_F(ReplayPageTest, SaysWhyAModelCannotBeUsed) {
+  page().use_model(folder_.path() / "none.toml");
+  key(Qt::Key_R);
+  page().wait();
+  EXPECT_NE(page().message().indexOf("none.toml"), -1) << page().message().toStdString();
+  EXPECT_NE(page().session(), nullptr);
+}
+
+TEST_F(ReplayPageTest, WhatIsOpenStaysWhereTheNextCannotBeOpened) {
+  window_->open_recording(folder_.path() / "nowhere");
+  page().wait();
+  EXPECT_NE(page().message().indexOf("nowhere"), -1);
+  EXPECT_EQ(page().caption(), "sample");
+}
+
+TEST_F(ReplayPageTest, StopsWhenAsked) {
+  key(Qt::Key_R);
+  key(Qt::Key_Escape);
+  page().wait();
+  EXPECT_NE(page().message().indexOf("Stopped"), -1) << page().message().toStdString();
+  EXPECT_FALSE(child<QLabel>("second_torque_a").isVisible());
+}
+
+}  // namespace
+}  // namespace searig::app::desktop
