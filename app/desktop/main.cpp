@@ -2,7 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QElapsedTimer>
-#include <QFontDatabase>
+#include <QRawFont>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -71,6 +71,11 @@ void describe(CLI::App& app, Options& options) {
 int fail(const std::string& sentence) {
   std::cerr << "searig-desktop: " << sentence << '\n';
   return 1;
+}
+
+/// Qt lists "Sans Serif" and its like even where no file stands behind them: then text is boxes.
+bool has_font() {
+  return !QRawFont::fromFont(QApplication::font()).fontTable("cmap").isEmpty();
 }
 
 Theme theme_of(const Options& options) {
@@ -156,7 +161,7 @@ int main(int argc, char** argv) {
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QApplication application(argc, argv);
-  if (QFontDatabase().families().isEmpty()) {
+  if (!has_font()) {
     return fail("No font is installed, so no text would show; install one: fonts-dejavu-core.");
   }
   const Theme theme = theme_of(options);
