@@ -4,12 +4,14 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <cmath>
 
 #include "app/desktop/diagnose/guided_motion.h"
 #include "app/desktop/plot/time_plot.h"
 #include "app/desktop/replay/replay_page.h"
 #include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/app/desktop/offscreen.h"
+#include "tests/app/desktop/pixels.h"
 #include "tests/app/session/sample_recording.h"
 
 namespace searig::app::desktop {
@@ -71,6 +73,21 @@ TEST_F(DiagnosePageTest, NamesWhatTheModelLeavesOutAndAcceptsIt) {
   find();  // with it
   EXPECT_EQ(page().examined()->diagnosis.verdict, Verdict::consistent) << words("verdict");
   EXPECT_FALSE(child<QPushButton>("accept").isEnabled());
+}
+
+TEST_F(DiagnosePageTest, TheDifferencesAreDrawnWhereTheyAre) {
+  find();
+  const auto& traces = page().examined()->diagnosis.traces;
+  const double start_s = page().examined()->signals.module.t_s.front();
+  const Pixels pixels(*window_);
+  int looked_at = 0;
+  for (std::size_t i = 7; i < traces.t_s.size(); i += 7) {  // the first stands on the edge
+    const double before = traces.spring_before_nm[i];
+    if (std::abs(before) < 0.2) continue;  // where nothing covers it
+    ++looked_at;
+    EXPECT_TRUE(pixels.drawn("residual", traces.t_s[i] - start_s, before, Hue::vermilion)) << i;
+  }
+  EXPECT_GT(looked_at, 20);
 }
 
 TEST_F(DiagnosePageTest, TheAcceptedModelIsTheNextRunsOnReplay) {

@@ -12,6 +12,7 @@
 #include "app/desktop/replay/history_view.h"
 #include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/app/desktop/offscreen.h"
+#include "tests/app/desktop/pixels.h"
 #include "tests/app/session/sample_recording.h"
 
 namespace searig::app::desktop {
@@ -123,6 +124,21 @@ TEST_F(ReplayPageTest, RunsAgainWithOtherSettingsOverTheFirst) {
   key(Qt::Key_X);
   EXPECT_EQ(words("runs").find("k = 90"), std::string::npos);
   EXPECT_FALSE(child<QLabel>("second_torque_a").isVisible());
+}
+
+TEST_F(ReplayPageTest, TheSecondRunIsDrawnOverTheFirst) {
+  child<QLineEdit>("initial_k").setText("90");
+  key(Qt::Key_R);
+  page().wait();
+  for (int pass = 0; pass < 4; ++pass) QApplication::processEvents();
+  const auto run = run_estimator(*page().session(), {.initial_k_nm_per_rad = 90.0});
+  const Pixels pixels(*window_);
+  for (std::size_t i = 500; i < run.history.t_s.size(); i += 500) {
+    const double t = run.history.t_s[i];
+    EXPECT_TRUE(pixels.drawn("torque", t, run.history.estimated_nm[i], Hue::vermilion)) << t;
+    EXPECT_TRUE(pixels.drawn("stiffness", t, run.history.stiffness_nm_per_rad[i], Hue::vermilion))
+        << t;
+  }
 }
 
 TEST_F(ReplayPageTest, SaysWhyAModelCannotBeUsed) {
