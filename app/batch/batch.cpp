@@ -12,7 +12,7 @@
 #include "acquisition/recording/mcap/format.h"
 #include "app/batch/fingerprint.h"
 #include "app/batch/inputs.h"
-#include "app/cli/in_parallel.h"
+#include "app/in_parallel.h"
 
 namespace searig::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "app/cli/in_parallel.h"
+#include "app/in_parallel.h"
 #include "estimator/evaluation/score.h"
 #include "estimator/twin/paper_module.h"
 
