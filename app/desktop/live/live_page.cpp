@@ -52,6 +52,10 @@ void LivePage::make_actions() {
                  [this] { connected() ? disconnect_rig() : connect_rig(); });
   record_action_ = add("&Record", QKeySequence(Qt::Key_R), [this] { toggle_recording(); });
   add("&Mark", QKeySequence(Qt::Key_M), [this] { mark(); });
+  QAction* open = add("&Open what was recorded in Replay", QKeySequence(Qt::Key_O), [this] {
+    const RecordingStatus recorded = rig_ ? rig_->recording() : RecordingStatus{};
+    if (!recorded.running && !recorded.file.empty()) this->shell().open_recording(recorded.file);
+  });
   calibrate_ = add("Cali&brate the load cell…", QKeySequence(Qt::Key_C), [this] { calibrate(); });
   menu()->addSeparator();
   pause_ = add("&Pause (data go on)", QKeySequence(Qt::Key_Space),
@@ -65,9 +69,7 @@ void LivePage::make_actions() {
   connect(choice_->button(), &QPushButton::clicked, connect_, &QAction::trigger);
   connect(record_->button(), &QPushButton::clicked, record_action_, &QAction::trigger);
   connect(record_->marker(), &QPushButton::clicked, this, [this] { mark(); });
-  connect(record_->open(), &QPushButton::clicked, this, [this] {
-    if (rig_) this->shell().open_recording(rig_->recording().file);
-  });
+  connect(record_->open(), &QPushButton::clicked, open, &QAction::trigger);
 }
 
 void LivePage::connect_rig() {

@@ -20,7 +20,7 @@ RecordPanel::RecordPanel(QWidget* parent)
       status_(new QLabel),
       button_(new QPushButton),
       marker_(new QPushButton(QStringLiteral("Mark   M"))),
-      open_(new QPushButton(QStringLiteral("Open in Replay"))) {
+      open_(new QPushButton(QStringLiteral("Open in Replay   O"))) {
   folder_ /= "searig";
   name_->setObjectName(QStringLiteral("name"));
   name_->setPlaceholderText(QStringLiteral("the date and hour"));
