@@ -111,13 +111,12 @@ Range TimePlot::x_range() const {
 }
 
 Plot TimePlot::as_plot() const {
-  Plot plot{.title = title_.toStdString(),
-            .x_label = "time (s)",
-            .y_label = y_label_.toStdString(),
-            .marks = mark_data_,
-            .shaded_name = shading_.name.toStdString(),
-            .x_range = x_range(),
-            .y_range = y_range()};
+  Plot plot;
+  plot.title = title_.toStdString();
+  plot.x_label = "time (s)", plot.y_label = y_label_.toStdString();
+  plot.marks = mark_data_;
+  plot.shaded_name = shading_.name.toStdString();
+  plot.x_range = x_range(), plot.y_range = y_range();
   plot.shaded = shaded_data_;
   for (const Entry& entry : legend_) {
     if (!entry.x || !entry.y || entry.x->empty()) continue;
