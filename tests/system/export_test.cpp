@@ -7,6 +7,7 @@
 #include "acquisition/exchange/sha256.h"
 #include "acquisition/recording/write_recording.h"
 #include "app/rig/simulated_rig.h"
+#include "tests/system/answer_wherever.h"
 #include "tests/system/run_program.h"
 
 namespace searig {
@@ -31,16 +32,6 @@ class Export : public ::testing::Test {
   static inline acquisition::TemporaryFolder* home_ = nullptr;
 };
 
-/// What a command says of a recording, but for where that lies.
-nlohmann::json answer(const std::string& command, const std::string& recording) {
-  const Ran ran = run_program("searig " + command + recording + " --json -");
-  EXPECT_EQ(ran.exit_code, 0) << ran.err;
-  auto out = nlohmann::json::parse(ran.out, nullptr, false);
-  if (out.contains("recordings"))
-    for (auto& one : out.at("recordings")) one.erase("path");
-  return out;
-}
-
 TEST_F(Export, EveryFormatComesBackAsTheSameRecording) {
   for (const std::string format : {"csv", "mat", "hdf5"}) {
     SCOPED_TRACE(format);
@@ -55,8 +46,9 @@ TEST_F(Export, EveryFormatComesBackAsTheSameRecording) {
     const Ran twice = run_program("searig export " + folder + "/rig.mcap" + how + again);
     ASSERT_EQ(twice.exit_code, 0) << twice.err;
     EXPECT_TRUE(text_of(file) == text_of(again));
-    EXPECT_EQ(answer("evaluate ", at("rig")), answer("evaluate ", folder + "/rig.mcap"));
-    EXPECT_EQ(answer("sync ", at("rig")), answer("sync ", folder + "/rig.mcap"));
+    EXPECT_EQ(answer_wherever("evaluate", at("rig")),
+              answer_wherever("evaluate", folder + "/rig.mcap"));
+    EXPECT_EQ(answer_wherever("sync", at("rig")), answer_wherever("sync", folder + "/rig.mcap"));
   }
 }
 

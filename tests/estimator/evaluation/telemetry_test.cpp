@@ -75,8 +75,9 @@ void expect_same(const Evaluation& a, const Evaluation& b) {
     EXPECT_EQ(a.online->k_nm_per_rad, b.online->k_nm_per_rad);
     EXPECT_EQ(a.online->trust_weight_s, b.online->trust_weight_s);
     ASSERT_EQ(a.online->convergence.has_value(), b.online->convergence.has_value());
-    if (a.online->convergence)
+    if (a.online->convergence) {
       EXPECT_EQ(a.online->convergence->after_s, b.online->convergence->after_s);
+    }
     expect_same(a.online->score, b.online->score);
   }
   if (a.current) {
@@ -135,8 +136,9 @@ TEST(TelemetryInPieces, HasEachRowOnceWithWhatLiesAroundIt) {
   pieces.go_through(0.02, [&](const TelemetryBlock& block) {
     const auto& t = block.rows.t_s;
     for (std::size_t i = block.from; i < block.to; ++i) seen.push_back(t[i]);
-    if (block.from < block.to && seen.front() != t[block.from])
+    if (block.from < block.to && seen.front() != t[block.from]) {
       EXPECT_LT(t.front(), t[block.from] - 0.02 + 0.0025);
+    }
   });
   EXPECT_EQ(seen, signals.module.t_s);
 }
