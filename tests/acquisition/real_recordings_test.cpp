@@ -6,7 +6,7 @@
 
 #include "acquisition/clock/host_clock.h"
 #include "acquisition/clock/synchronise.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::acquisition {
 namespace {

@@ -16,7 +16,6 @@ namespace searig {
 namespace {
 
 namespace fs = std::filesystem;
-using acquisition::TemporaryFolder;
 
 /// The shim lets libserialport take a pseudo terminal for a port (docs/rig.md).
 std::vector<std::string> record_words(const BoardProcess& board, const std::string& module,

@@ -4,9 +4,9 @@
 
 #include <map>
 
-#include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/acquisition/source/listener.h"
 #include "tests/arduino/device_processes.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::acquisition {
 namespace {

@@ -12,8 +12,9 @@
 #include <string>
 #include <thread>
 
-#include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/system/run_program.h"
+#include "tests/system/write_spring.h"
+#include "tests/temporary_folder.h"
 
 namespace searig {
 namespace {
@@ -26,24 +27,9 @@ class BatchCommand : public testing::Test {
   static constexpr int count = 12;
 
   BatchCommand() {
-    for (int i = 0; i < count; ++i) write_recording("all/r" + std::to_string(100 + i), 30.0 + i);
+    for (int i = 0; i < count; ++i)
+      write_spring(folder_.path() / "all" / ("r" + std::to_string(100 + i)), 30.0 + i);
     folder_.write("all/r105/loadcell.csv", "t_s,torque_nm\n0,abc\n1,2\n");
-  }
-
-  void write_recording(const std::string& name, double k) {
-    const fs::path folder = folder_.path() / name;
-    fs::create_directories(folder);
-    std::ofstream module(folder / "module.csv"), loadcell(folder / "loadcell.csv");
-    module << "t_s,deflection_rad,current_a\n";
-    loadcell << "t_s,torque_nm\n";
-    for (int i = 0; i < 4000; ++i) {
-      const double t = i * 0.004, theta = 0.1 * std::sin(3 * t);
-      module << t << ',' << theta << ',' << k * theta / 2 << '\n';
-      if (i % 5 == 0) loadcell << t << ',' << k * theta << '\n';
-    }
-    std::ofstream(folder / "recording.toml")
-        << "format = \"searig-recording/1\"\n[module]\nfile = \"module.csv\"\n[loadcell]\nfile = "
-           "\"loadcell.csv\"\n";
   }
 
   std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
@@ -60,7 +46,7 @@ class BatchCommand : public testing::Test {
     return all;
   }
 
-  acquisition::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(BatchCommand, EvaluatesAFolderWithOneBadRecordingInIt) {

@@ -13,7 +13,7 @@ namespace {
 class Demo : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = new acquisition::TemporaryFolder;
+    folder_ = new TemporaryFolder;
     ran_ = run_program("searig demo --seconds 20 --headless --out " + out() + " --json " +
                        (folder_->path() / "demo.json").string());
   }
@@ -24,7 +24,7 @@ class Demo : public ::testing::Test {
     return nlohmann::json::parse(text_of(folder_->path() / "demo.json"));
   }
 
-  static inline acquisition::TemporaryFolder* folder_ = nullptr;
+  static inline TemporaryFolder* folder_ = nullptr;
   static inline Ran ran_;
 };
 
@@ -103,7 +103,7 @@ TEST(CommandLine, EveryCommandHelpsWithAnExample) {
 }
 
 TEST(CommandLine, LinksNoGuiLibrary) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto list = (folder.path() / "libraries").string();
   ASSERT_EQ(std::system(("ldd " SEARIG_BINARY_DIR "/searig >" + list).c_str()), 0);
   EXPECT_EQ(text_of(list).find("Qt5"), std::string::npos);

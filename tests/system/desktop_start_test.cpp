@@ -11,7 +11,7 @@ namespace {
 
 /// The window's program through `env`, with these settings in place of its own.
 Ran run_window(const std::string& settings, const std::string& arguments) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto err = folder.path() / "err";
   const std::string line = "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM " + settings +
                            " " + SEARIG_BINARY_DIR + "/searig-desktop " + arguments + " 2>" +
@@ -32,7 +32,7 @@ TEST(DesktopStart, SaysOfADisplayThatDoesNotAnswerThatItDoesNot) {
 }
 
 TEST(DesktopStart, SaysThatNoFontIsInstalled) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto none = folder.write("fonts.conf", "<?xml version=\"1.0\"?><fontconfig></fontconfig>");
   const auto png = folder.path() / "never.png";
   const Ran ran =

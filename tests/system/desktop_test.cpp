@@ -20,7 +20,7 @@ struct Picture {
 };
 
 Picture picture_of(const std::string& arguments) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const std::string png = (folder.path() / "window.png").string();
   const std::string json = (folder.path() / "layout.json").string();
   const Ran ran = run_program("searig desktop " + arguments + " --theme light --offscreen" +
@@ -73,7 +73,7 @@ TEST(Desktop, ShowsTheSimulatedRigLive) {
 }
 
 TEST(Desktop, CurvesOfARecordingAreWhereTheDataAre) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const std::string out = folder.path().string();
   ASSERT_EQ(run_program("searig demo --seconds 10 --headless --out " + out).exit_code, 0);
   const Picture picture = picture_of(out + "/recording.mcap");
@@ -105,7 +105,7 @@ TEST(Desktop, CurvesOfARecordingAreWhereTheDataAre) {
 
 /// Whatever the scale and the theme, nothing is cut and the curve is where the data are.
 TEST(Desktop, IsReadableAtTwiceTheScaleInBothThemes) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const std::string out = folder.path().string();
   ASSERT_EQ(run_program("searig demo --seconds 10 --headless --out " + out).exit_code, 0);
   for (const char* theme : {"light", "dark"})

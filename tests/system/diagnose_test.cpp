@@ -7,14 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/system/run_program.h"
+#include "tests/temporary_folder.h"
 
 namespace searig {
 namespace {
 
 namespace fs = std::filesystem;
-using acquisition::TemporaryFolder;
 
 /// A recording of a damped spring, held against a model without the damping.
 class DiagnoseCommand : public testing::Test {

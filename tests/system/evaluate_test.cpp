@@ -7,13 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/system/run_program.h"
+#include "tests/system/write_spring.h"
+#include "tests/temporary_folder.h"
 
 namespace searig {
 namespace {
-
-using acquisition::TemporaryFolder;
 
 Ran evaluate(const std::string& arguments) {
   return run_program("searig evaluate " + arguments);
@@ -24,27 +23,9 @@ nlohmann::json read_json(const std::filesystem::path& file) {
 }
 
 /// A spring of `k` N*m/rad and a motor of 2 N*m/A without friction, all on one clock.
-void write_recording(const std::filesystem::path& folder, double k) {
-  std::filesystem::create_directories(folder);
-  std::ofstream module(folder / "module.csv"), loadcell(folder / "loadcell.csv");
-  module << "t_s,deflection_rad,current_a\n";
-  loadcell << "t_s,torque_nm\n";
-  for (int i = 0; i < 5000; ++i) {
-    const double t = i * 0.004, theta = 0.1 * std::sin(3 * t);
-    module << t << ',' << theta << ',' << k * theta / 2 << '\n';
-    if (i % 5 == 0) loadcell << t << ',' << k * theta << '\n';
-  }
-  std::ofstream(folder / "recording.toml")
-      << "format = \"searig-recording/1\"\n[module]\nfile = \"module.csv\"\n[loadcell]\nfile = "
-         "\"loadcell.csv\"\n";
-  std::ofstream(folder / "model.toml")
-      << "format = \"searig-model/1\"\n[spring.linear]\nk_nm_per_rad = " << k
-      << "\n[drive.motor]\ntorque_constant_nm_per_a = 2.0\nefficiency = 1.0\n";
-}
-
 TEST(EvaluateCommand, AnswersWithThePapersTable) {
   const TemporaryFolder folder;
-  write_recording(folder.path() / "spring", 40);
+  write_spring(folder.path() / "spring", 40);
   const auto json = folder.path() / "answer.json";
   const Ran ran =
       evaluate((folder.path() / "spring").string() + "/ --initial-k 400 --json " + json.string());
@@ -69,7 +50,7 @@ TEST(EvaluateCommand, AnswersWithThePapersTable) {
 
 TEST(EvaluateCommand, ComparesEstimatorsOfTheStatesThatAreNamed) {
   const TemporaryFolder folder;
-  write_recording(folder.path() / "spring", 40);
+  write_spring(folder.path() / "spring", 40);
   const std::string recording = (folder.path() / "spring").string();
   const auto json = folder.path() / "answer.json";
   const Ran ran = evaluate(recording + " --initial-k 80 --estimator all --states " +
@@ -96,7 +77,7 @@ TEST(EvaluateCommand, ComparesEstimatorsOfTheStatesThatAreNamed) {
 
 TEST(EvaluateCommand, ReportsABadRecordingAndDoesTheRest) {
   const TemporaryFolder folder;
-  write_recording(folder.path() / "good", 40);
+  write_spring(folder.path() / "good", 40);
   const auto json = folder.path() / "answer.json";
   const std::string paths =
       (folder.path() / "missing").string() + " " + (folder.path() / "good").string();
@@ -116,7 +97,7 @@ TEST(EvaluateCommand, AnswersTheSameWithAnyNumberOfJobs) {
   std::string paths;
   for (int k : {20, 30, 40, 50, 60}) {
     const auto recording = folder.path() / ("spring" + std::to_string(k));
-    write_recording(recording, k);
+    write_spring(recording, k);
     paths += recording.string() + " ";
   }
   const Ran one = evaluate(paths + "--jobs 1 --json -"),

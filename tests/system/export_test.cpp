@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 class Export : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    home_ = new acquisition::TemporaryFolder;
+    home_ = new TemporaryFolder;
     app::SimulatedRig rig;
     rig.run_until(4.0);
     acquisition::write_recording(rig.recording(), at("rig"));
@@ -29,7 +29,7 @@ class Export : public ::testing::Test {
   static void TearDownTestSuite() { delete home_; }
   static std::string at(const std::string& name) { return (home_->path() / name).string(); }
 
-  static inline acquisition::TemporaryFolder* home_ = nullptr;
+  static inline TemporaryFolder* home_ = nullptr;
 };
 
 TEST_F(Export, EveryFormatComesBackAsTheSameRecording) {

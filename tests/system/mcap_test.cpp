@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 class McapFile : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    home_ = new acquisition::TemporaryFolder;
+    home_ = new TemporaryFolder;
     app::SimulatedRig rig;
     rig.run_until(8.0);
     acquisition::write_recording(rig.recording(), folder());
@@ -34,7 +34,7 @@ class McapFile : public ::testing::Test {
   static std::string file() { return (home_->path() / "recording.mcap").string(); }
   static fs::path at(const char* name) { return home_->path() / name; }
 
-  static inline acquisition::TemporaryFolder* home_ = nullptr;
+  static inline TemporaryFolder* home_ = nullptr;
   static inline Ran imported_;
 };
 

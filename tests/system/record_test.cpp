@@ -11,7 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using acquisition::Recording;
-using acquisition::TemporaryFolder;
 
 TEST(Record, TheSimulatedRigIntoAFileThatOtherCommandsTake) {
   const TemporaryFolder folder;

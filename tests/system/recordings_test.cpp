@@ -10,14 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/system/run_program.h"
+#include "tests/temporary_folder.h"
 
 namespace searig {
 namespace {
 
 namespace fs = std::filesystem;
-using acquisition::TemporaryFolder;
 
 const std::string toml =
     "format = \"searig-recording/1\"\n[module]\nfile = \"module.csv\"\ngear_ratio = 349.0\n"
@@ -169,10 +168,9 @@ TEST(Estimates, OfWhatCannotBeEvaluatedNameTheRecording) {
 TEST(WrongUse, ExitsWithTwoAndSaysWhere) {
   const Files files;
   for (const std::string& arguments :
-       {std::string(""), std::string("tune"), std::string("info"),
-        "info --loud " + files.path(), "info " + files.path() + " another",
-        "export " + files.path(), "export --format xls --out x " + files.path(),
-        std::string("demo --seconds soon")}) {
+       {std::string(""), std::string("tune"), std::string("info"), "info --loud " + files.path(),
+        "info " + files.path() + " another", "export " + files.path(),
+        "export --format xls --out x " + files.path(), std::string("demo --seconds soon")}) {
     const Ran ran = run_program("searig " + arguments);
     EXPECT_EQ(ran.exit_code, 2) << arguments;
     EXPECT_EQ(ran.out, "") << arguments;

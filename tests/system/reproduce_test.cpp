@@ -10,7 +10,7 @@ namespace {
 class Reproduce : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = new acquisition::TemporaryFolder;
+    folder_ = new TemporaryFolder;
     ran_ = run_program("searig reproduce --seeds 3 --out " + out() + " --json " + out("a.json"));
     if (ran_.exit_code == 0) answer_ = nlohmann::json::parse(text_of(out("a.json")));
   }
@@ -20,7 +20,7 @@ class Reproduce : public ::testing::Test {
     return (folder_->path() / "out" / file).string();
   }
 
-  static inline acquisition::TemporaryFolder* folder_ = nullptr;
+  static inline TemporaryFolder* folder_ = nullptr;
   static inline Ran ran_;
   static inline nlohmann::json answer_;
 };

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace searig {
 
@@ -28,7 +28,7 @@ inline std::string text_of(const std::filesystem::path& file) {
 /// `command` begins with the program's name in the build folder; no display, no terminal. `through`
 /// is what starts it, as in "setpriv --reuid=65534 ".
 inline Ran run_program(const std::string& command, const std::string& through = "") {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto out = folder.path() / "out", err = folder.path() / "err";
   const std::string line = through + "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM " +
                            std::string(SEARIG_BINARY_DIR) + "/" + command + " >" + out.string() +

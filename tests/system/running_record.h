@@ -106,7 +106,7 @@ inline void wait_until_recording(const std::filesystem::path& file) {
 
 /// Kills recordings at random instants; returns the longest time that was lost, s.
 inline double worst_loss_of_kills(int kills, double longest_s) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const std::filesystem::path whole_file = folder.path() / "whole.mcap";
   const Ran whole_run =
       run_program(record(whole_file, "--seconds " + std::to_string(longest_s + 2.0)));

@@ -8,13 +8,11 @@
 #include <set>
 #include <string>
 
-#include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/system/run_program.h"
+#include "tests/temporary_folder.h"
 
 namespace searig {
 namespace {
-
-using acquisition::TemporaryFolder;
 
 const std::string kBase = R"(format = "searig-model/1"
 [spring.linear]

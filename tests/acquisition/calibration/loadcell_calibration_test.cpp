@@ -6,7 +6,7 @@
 #include <random>
 
 #include "acquisition/error.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/acquisition/recording/refusal.h"
 
 namespace searig::acquisition {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "acquisition/recording/csv.h"
 #include "tests/acquisition/exchange/a_recording.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::acquisition::exchange {
 namespace {

@@ -11,7 +11,8 @@
 #include "acquisition/recording/mcap/import.h"
 #include "acquisition/recording/mcap/read_mcap.h"
 #include "tests/acquisition/exchange/a_recording.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/acquisition/recording/refusal.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::acquisition::exchange {
 namespace {

@@ -11,7 +11,7 @@
 #include "acquisition/exchange/mat.h"
 #include "acquisition/exchange/sha256.h"
 #include "tests/acquisition/exchange/a_recording.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::acquisition::exchange {
 namespace {

@@ -6,7 +6,7 @@
 #include "acquisition/exchange/hdf5.h"
 #include "acquisition/exchange/mat.h"
 #include "tests/acquisition/exchange/a_recording.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::acquisition::exchange {
 namespace {

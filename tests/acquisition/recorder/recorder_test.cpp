@@ -10,7 +10,8 @@
 
 #include "acquisition/recording/mcap/read_mcap.h"
 #include "arduino/firmware/payloads.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/acquisition/recording/refusal.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::acquisition {
 namespace {

@@ -2,7 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "acquisition/recording/recording.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/acquisition/recording/refusal.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::acquisition {
 namespace {

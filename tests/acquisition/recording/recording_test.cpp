@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/acquisition/recording/refusal.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::acquisition {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "tests/acquisition/clock/simulated_device.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::acquisition {
 namespace {

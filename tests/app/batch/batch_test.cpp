@@ -15,13 +15,13 @@
 
 #include "app/batch/merge.h"
 #include "app/batch/summary.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/acquisition/recording/refusal.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::app {
 namespace {
 
 namespace fs = std::filesystem;
-using acquisition::TemporaryFolder;
 using nlohmann::json;
 
 /// What a real command answers, in short. Every seventh recording is bad.

@@ -5,13 +5,13 @@
 
 #include <filesystem>
 
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/acquisition/recording/refusal.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::app {
 namespace {
 
 namespace fs = std::filesystem;
-using acquisition::TemporaryFolder;
 using Paths = std::vector<std::string>;
 
 class FindRecordings : public testing::Test {

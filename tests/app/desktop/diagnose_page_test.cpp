@@ -9,10 +9,10 @@
 #include "app/desktop/diagnose/guided_motion.h"
 #include "app/desktop/plot/time_plot.h"
 #include "app/desktop/replay/replay_page.h"
-#include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/app/desktop/offscreen.h"
 #include "tests/app/desktop/pixels.h"
 #include "tests/app/session/sample_recording.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::app::desktop {
 namespace {
@@ -47,7 +47,7 @@ class DiagnosePageTest : public testing::Test {
   }
   std::string words(const char* name) { return child<QLabel>(name).text().toStdString(); }
 
-  acquisition::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   std::filesystem::path path_ = folder_.path() / "sample";
   std::unique_ptr<MainWindow> window_;
 };

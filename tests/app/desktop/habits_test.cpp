@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
-
 #include <QDir>
 #include <QDropEvent>
 #include <QImage>
@@ -19,9 +18,9 @@
 #include "app/desktop/replay/history_view.h"
 #include "app/desktop/replay/replay_page.h"
 #include "app/desktop/session_store.h"
-#include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/app/desktop/offscreen.h"
 #include "tests/app/session/sample_recording.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::app::desktop {
 namespace {
@@ -45,7 +44,7 @@ class HabitsTest : public testing::Test {
     return file.string();
   }
 
-  acquisition::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   std::filesystem::path path_ = folder_.path() / "sample";
   std::unique_ptr<MainWindow> window_;
 };

@@ -16,16 +16,16 @@
 #include "app/desktop/live/live_plots.h"
 #include "app/desktop/live/record_panel.h"
 #include "app/rig/stepped_rig.h"
-#include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/app/desktop/offscreen.h"
 #include "tests/app/desktop/pixels.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::app::desktop {
 namespace {
 
 /// Twelve seconds of the simulated rig in simulated time: the same each time.
 const std::filesystem::path& recorded_rig() {
-  static const acquisition::TemporaryFolder folder;
+  static const TemporaryFolder folder;
   static const std::filesystem::path file = [] {
     const auto made = folder.path() / "rig.mcap";
     SteppedRig rig(made, "searig test");
@@ -107,7 +107,7 @@ TEST(LivePage, SaysWhatToDoInsteadOfDoingNothing) {
 }
 
 TEST(LivePage, ConnectCalibrateRecordUnplugReplay) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto window = shown_window();
   LivePage& page = window->live();
   page.recorder().set_folder(folder.path() / "made when needed");
@@ -162,7 +162,7 @@ TEST(LivePage, ConnectCalibrateRecordUnplugReplay) {
 }
 
 TEST(LivePage, ResizingAndClosingWhileRecordingLosesNothing) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   {
     const auto window = shown_window();
     LivePage& page = window->live();

@@ -10,10 +10,10 @@
 
 #include "app/desktop/plot/time_plot.h"
 #include "app/desktop/replay/history_view.h"
-#include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/app/desktop/offscreen.h"
 #include "tests/app/desktop/pixels.h"
 #include "tests/app/session/sample_recording.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::app::desktop {
 namespace {
@@ -49,7 +49,7 @@ class ReplayPageTest : public testing::Test {
     return {int(std::lround((t_s - x.low) / (x.high - x.low) * (width - 1))), 20};
   }
 
-  acquisition::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   std::filesystem::path path_ = folder_.path() / "sample";
   std::unique_ptr<MainWindow> window_;
 };

@@ -6,21 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "tests/app/report/noisy_line.h"
+
 namespace searig::app {
 namespace {
-
-struct Line {
-  std::vector<double> x, y;
-};
-
-Line noisy_line(std::size_t size) {
-  Line line;
-  for (std::size_t i = 0; i < size; ++i) {
-    line.x.push_back(1e-3 * (static_cast<double>(i) + 0.5));  // in the middle of a millisecond
-    line.y.push_back(std::sin(12345.678 * static_cast<double>(i)));
-  }
-  return line;
-}
 
 std::vector<Range> spans_of(const Line& line, Range view, std::size_t columns,
                             Joined joined = Joined::yes) {

@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::app {
 namespace {
@@ -48,7 +48,7 @@ Plot straight_up() {
 }
 
 TEST(Png, DrawsTheCurveInItsColourAndNothingElseInIt) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.path() / "a.png";
   write_png(straight_up(), file, {600, 300}, 1.0);
   const Picture picture(file);
@@ -60,7 +60,7 @@ TEST(Png, DrawsTheCurveInItsColourAndNothingElseInIt) {
 }
 
 TEST(Png, WritesTheWords) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   Plot mute = straight_up();
   mute.title = mute.x_label = mute.y_label = mute.series[0].name = "";
   write_png(straight_up(), folder.path() / "said.png");

@@ -10,7 +10,7 @@
 #include "acquisition/calibration/loadcell_calibration.h"
 #include "app/rig/weighing.h"
 #include "app/session/session.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::app {
 namespace {
@@ -46,7 +46,7 @@ class Viewer {
 };
 
 TEST(RigSession, ShowsRecordsAndGoesOnThroughAnUnplug) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.path() / "run.mcap";
   RigSession rig{RigOptions{}};
   Viewer view(rig);
@@ -91,7 +91,7 @@ TEST(RigSession, ShowsRecordsAndGoesOnThroughAnUnplug) {
 }
 
 TEST(RigSession, ClosingItEndsARecordingWhole) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.path() / "run.mcap";
   {
     RigSession rig{RigOptions{}};

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "acquisition/recording/text_file.h"
-#include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/app/session/sample_recording.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::app {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 class EstimatorRunTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = std::make_unique<acquisition::TemporaryFolder>();
+    folder_ = std::make_unique<TemporaryFolder>();
     make_sample_recording(folder_->path() / "sample");
     session_ = std::make_unique<Session>(open_session(folder_->path() / "sample"));
   }
@@ -22,7 +22,7 @@ class EstimatorRunTest : public testing::Test {
     session_.reset();
     folder_.reset();
   }
-  static inline std::unique_ptr<acquisition::TemporaryFolder> folder_;
+  static inline std::unique_ptr<TemporaryFolder> folder_;
   static inline std::unique_ptr<Session> session_;
 };
 

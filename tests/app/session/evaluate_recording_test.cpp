@@ -11,13 +11,13 @@
 #include "acquisition/recorder/output_file.h"
 #include "acquisition/recording/mcap/import.h"
 #include "app/session/session.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/acquisition/recording/refusal.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::app {
 namespace {
 
 namespace fs = std::filesystem;
-using acquisition::TemporaryFolder;
 
 constexpr const char* model_text = R"(format = "searig-model/1"
 [spring.linear]

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "app/session/session.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::app {
 namespace {
 
 TEST(ExtendedModel, IsKeptBesideItsRecordingAndReplacesNothing) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.write("run.mcap", "");
   estimator::Model model;
   model.set("spring.linear", "k_nm_per_rad", 41.5);

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <filesystem>
 
+#include "acquisition/error.h"
 #include "acquisition/recording/write_recording.h"
 #include "tests/acquisition/clock/simulated_device.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::app {
 namespace {
 
 using acquisition::Recording;
-using acquisition::TemporaryFolder;
 
 /// Both devices see the angle 0.3 sin(true time); the load cell as a force of 200 N per rad.
 Recording turning(const acquisition::SimulatedPair& pair) {

@@ -7,12 +7,11 @@
 
 #include "app/session/motion_spec.h"
 #include "estimator/model/predict.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/acquisition/recording/refusal.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::app {
 namespace {
-
-using acquisition::TemporaryFolder;
 
 const char* const kSpec = R"(
 format = "searig-spec/1"

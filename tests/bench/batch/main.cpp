@@ -24,6 +24,7 @@
 #include "acquisition/recording/recording.h"
 #include "tests/bench/batch/made_recording.h"
 #include "tests/bench/batch/process.h"
+#include "tests/temporary_folder.h"
 
 namespace {
 
@@ -169,13 +170,12 @@ int main(int argc, char** argv) {
   if (what == "checksum") return checksum(argc - 2, argv + 2);
   const double hours = argc > 2 ? std::atof(argv[2]) : 10;
   const unsigned recordings = argc > 3 ? unsigned(std::atoi(argv[3])) : 5000;
-  std::string name = (fs::temp_directory_path() / "searig-bench-XXXXXX").string();
-  const fs::path scratch = mkdtemp(name.data());
+  const searig::TemporaryFolder folder;
+  const fs::path& scratch = folder.path();
   double load[1] = {0};
   getloadavg(load, 1);
   std::printf("Load when this began: %.1f\n", load[0]);
   if (what != "number") lengths(argv[0], scratch, hours);
   if (what != "length") numbers(scratch, recordings);
-  fs::remove_all(scratch);
   return 0;
 }

@@ -21,6 +21,7 @@
 #include "app/desktop/main_window.h"
 #include "app/desktop/plot/time_plot.h"
 #include "app/desktop/qt_messages.h"
+#include "tests/temporary_folder.h"
 
 namespace {
 
@@ -170,43 +171,39 @@ void measure_live_plots(int frames) {
 
 /// The whole window, recording the simulated rig with its real firmware at 1 kHz.
 void measure_recording(double seconds) {
-  char name[] = "/tmp/searig-bench-XXXXXX";
-  const std::filesystem::path folder = mkdtemp(name);
-  {
-    MainWindow window{Theme(false)};
-    window.show();
-    LivePage& page = window.live();
-    page.recorder().set_folder(folder);
-    DeviceOptions simulation;
-    simulation.module_rate_hz = rate_hz;
-    page.choice().set_simulation(simulation);
-    page.connect_rig();
-    const auto wait = [&](auto until) {
-      while (!until()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-    };
-    wait([&] { return page.connected() && page.plots().now_s() > 3.0; });
-    page.toggle_recording();
-    const double start_cpu_ms = cpu_ms(), start_s = searig::acquisition::host_now_s();
-    std::vector<double> late_ms;
-    double shown_s = page.newest_host_s();
-    wait([&] {
-      if (page.newest_host_s() != shown_s) {
-        QApplication::processEvents();  // paints
-        // The first sample that the frame before did not have came right behind its newest.
-        late_ms.push_back(1e3 * (searig::acquisition::host_now_s() - shown_s));
-        shown_s = page.newest_host_s();
-      }
-      return searig::acquisition::host_now_s() > start_s + seconds;
-    });
-    const double passed_s = searig::acquisition::host_now_s() - start_s;
-    std::printf("recording at 1 kHz, %.0f s: %.1f frames a second, %.1f %% of a core\n", passed_s,
-                double(late_ms.size()) / passed_s, 0.1 * (cpu_ms() - start_cpu_ms) / passed_s);
-    std::printf(
-        "  a sample is drawn at most %.0f ms after its arrival in half of the frames, "
-        "%.0f ms in 95 %%, %.0f ms in all\n",
-        share(late_ms, 0.5), share(late_ms, 0.95), share(late_ms, 1.0));
-  }
-  std::filesystem::remove_all(folder);
+  const searig::TemporaryFolder folder;
+  MainWindow window{Theme(false)};
+  window.show();
+  LivePage& page = window.live();
+  page.recorder().set_folder(folder.path());
+  DeviceOptions simulation;
+  simulation.module_rate_hz = rate_hz;
+  page.choice().set_simulation(simulation);
+  page.connect_rig();
+  const auto wait = [&](auto until) {
+    while (!until()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  };
+  wait([&] { return page.connected() && page.plots().now_s() > 3.0; });
+  page.toggle_recording();
+  const double start_cpu_ms = cpu_ms(), start_s = searig::acquisition::host_now_s();
+  std::vector<double> late_ms;
+  double shown_s = page.newest_host_s();
+  wait([&] {
+    if (page.newest_host_s() != shown_s) {
+      QApplication::processEvents();  // paints
+      // The first sample that the frame before did not have came right behind its newest.
+      late_ms.push_back(1e3 * (searig::acquisition::host_now_s() - shown_s));
+      shown_s = page.newest_host_s();
+    }
+    return searig::acquisition::host_now_s() > start_s + seconds;
+  });
+  const double passed_s = searig::acquisition::host_now_s() - start_s;
+  std::printf("recording at 1 kHz, %.0f s: %.1f frames a second, %.1f %% of a core\n", passed_s,
+              double(late_ms.size()) / passed_s, 0.1 * (cpu_ms() - start_cpu_ms) / passed_s);
+  std::printf(
+      "  a sample is drawn at most %.0f ms after its arrival in half of the frames, "
+      "%.0f ms in 95 %%, %.0f ms in all\n",
+      share(late_ms, 0.5), share(late_ms, 0.95), share(late_ms, 1.0));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "acquisition/exchange/mat.h"
 #include "acquisition/recorder/output_file.h"
 #include "acquisition/recording/mcap/import.h"
+#include "tests/temporary_folder.h"
 
 namespace {
 
@@ -94,8 +95,8 @@ std::string output_of(const std::string& command) {
 
 int main(int argc, char** argv) {
   const double minutes = argc > 1 ? std::atof(argv[1]) : 60.0;
-  std::string name = (fs::temp_directory_path() / "searig-bench-XXXXXX").string();
-  const fs::path folder = mkdtemp(name.data());
+  const searig::TemporaryFolder temporary;
+  const fs::path& folder = temporary.path();
   {
     const Recording recording = recording_of(minutes);
     const auto contents = exchange::contents_of(recording, synchronise(recording), {});
@@ -134,6 +135,5 @@ int main(int argc, char** argv) {
     std::printf("%-11s %10.2f  %10.2f  %14.1f  %17.2f\n", what.c_str(), its.get<double>(), theirs,
                 theirs / its.get<double>(), whole);
   }
-  fs::remove_all(folder);
   return python.is_discarded() ? 1 : 0;
 }

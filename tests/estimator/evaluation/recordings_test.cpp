@@ -11,7 +11,7 @@
 
 #include "app/session/session.h"
 #include "estimator/evaluation/evaluation.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::estimator {
 namespace {
@@ -73,7 +73,7 @@ TEST(PracticeRecordings, PapersDriveEndsAFewPercentHigh) {
 }
 
 Signals through_mapping(const fs::path& file, const std::string& columns) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   folder.write("recording.toml", "format = \"searig-recording/1\"\n[module]\nfile = \"" +
                                      file.string() + "\"\n[loadcell]\nfile = \"" + file.string() +
                                      "\"\n" + columns);

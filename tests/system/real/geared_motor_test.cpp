@@ -9,7 +9,6 @@ namespace searig {
 namespace {
 
 namespace fs = std::filesystem;
-using acquisition::TemporaryFolder;
 
 const fs::path kRecorded = kRealMachines / "gearmotor_torque_cell";
 

@@ -6,7 +6,6 @@ namespace searig {
 namespace {
 
 namespace fs = std::filesystem;
-using acquisition::TemporaryFolder;
 
 const fs::path kRecorded = kRealMachines / "sea_metal_spring/stiffness";
 

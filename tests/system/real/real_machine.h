@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/system/run_program.h"
 
 namespace searig {

@@ -7,7 +7,8 @@
 #include "acquisition/clock/synchronise.h"
 #include "acquisition/recording/csv.h"
 #include "tests/acquisition/recording/hebilog/a_log.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/acquisition/recording/refusal.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::acquisition::hebilog {
 namespace {

@@ -6,7 +6,8 @@
 #include "acquisition/recording/mcap/read_mcap.h"
 #include "acquisition/recording/write_recording.h"
 #include "tests/acquisition/clock/simulated_device.h"
-#include "tests/acquisition/recording/temporary_folder.h"
+#include "tests/acquisition/recording/refusal.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::acquisition::mcap {
 namespace {
@@ -123,10 +124,9 @@ TEST(Import, KeepsPings) {
   ASSERT_EQ(read.loadcell.pings.size(), 10u);
   for (std::size_t i = 0; i < 10; ++i) {
     const Exchange &a = read.loadcell.pings[i], &b = recording.loadcell.pings[i];
-    EXPECT_EQ(std::tie(a.host_sent_s, a.device_received_s, a.device_sent_s, a.host_received_s,
-                       a.run),
-              std::tie(b.host_sent_s, b.device_received_s, b.device_sent_s, b.host_received_s,
-                       b.run));
+    EXPECT_EQ(
+        std::tie(a.host_sent_s, a.device_received_s, a.device_sent_s, a.host_received_s, a.run),
+        std::tie(b.host_sent_s, b.device_received_s, b.device_sent_s, b.host_received_s, b.run));
   }
 }
 

@@ -11,8 +11,8 @@
 #include "app/desktop/live/live_page.h"
 #include "app/desktop/live/live_plots.h"
 #include "app/desktop/live/record_panel.h"
-#include "tests/acquisition/recording/temporary_folder.h"
 #include "tests/app/desktop/offscreen.h"
+#include "tests/temporary_folder.h"
 
 namespace searig::app::desktop {
 namespace {
@@ -49,7 +49,7 @@ void cycle(MainWindow& window, bool record) {
 }
 
 TEST(Connections, AHundredLeaveNothingBehind) {
-  const acquisition::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto window = shown_window();
   window->live().recorder().set_folder(folder.path());
   for (int i = 0; i < 5; ++i) cycle(*window, true);

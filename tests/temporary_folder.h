@@ -1,16 +1,12 @@
-// A folder of a test's own, gone when the test is.
+// A folder of a test's or a benchmark's own, gone when that is.
 #pragma once
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
-#include "acquisition/error.h"
-
-namespace searig::acquisition {
+namespace searig {
 
 class TemporaryFolder {
  public:
@@ -36,20 +32,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// The sentence that `work` is refused with; fails the test where it is not.
-template <typename Work>
-std::string refusal(Work work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return {};
-}
-
-inline bool says(const std::string& sentence, const std::string& part) {
-  return sentence.find(part) != std::string::npos;
-}
-
-}  // namespace searig::acquisition
+}  // namespace searig
