@@ -1,6 +1,8 @@
 // The estimator's input: one experiment, all times already on the module's clock.
 #pragma once
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 namespace searig::estimator {
@@ -19,6 +21,25 @@ struct ModuleSignals {
   std::vector<double> winding_temperature_c;  ///< motor winding
   std::vector<double> spring_temperature_c;   ///< spring element
 };
+
+/// A channel of the telemetry, named as in a recording.
+struct ModuleChannel {
+  std::string_view name;
+  std::vector<double> ModuleSignals::*values;
+};
+
+/// All of them but the time.
+inline constexpr std::array<ModuleChannel, 9> module_channels{{
+    {"deflection_rad", &ModuleSignals::deflection_rad},
+    {"input_angle_rad", &ModuleSignals::input_angle_rad},
+    {"output_angle_rad", &ModuleSignals::output_angle_rad},
+    {"input_velocity_rad_s", &ModuleSignals::input_velocity_rad_s},
+    {"current_a", &ModuleSignals::current_a},
+    {"motor_angle_rad", &ModuleSignals::motor_angle_rad},
+    {"commanded_angle_rad", &ModuleSignals::commanded_angle_rad},
+    {"winding_temperature_c", &ModuleSignals::winding_temperature_c},
+    {"spring_temperature_c", &ModuleSignals::spring_temperature_c},
+}};
 
 /// Ground truth at its own sample times.
 struct LoadcellSignals {

@@ -22,15 +22,8 @@ ModuleSignals cut(const ModuleSignals& all, std::size_t first, std::size_t last)
   };
   ModuleSignals out;
   out.t_s = part(all.t_s);
-  out.deflection_rad = part(all.deflection_rad);
-  out.input_angle_rad = part(all.input_angle_rad);
-  out.output_angle_rad = part(all.output_angle_rad);
-  out.input_velocity_rad_s = part(all.input_velocity_rad_s);
-  out.current_a = part(all.current_a);
-  out.motor_angle_rad = part(all.motor_angle_rad);
-  out.commanded_angle_rad = part(all.commanded_angle_rad);
-  out.winding_temperature_c = part(all.winding_temperature_c);
-  out.spring_temperature_c = part(all.spring_temperature_c);
+  for (const auto& channel : estimator::module_channels)
+    out.*channel.values = part(all.*channel.values);
   return out;
 }
 

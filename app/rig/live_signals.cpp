@@ -28,18 +28,13 @@ void LiveSignals::take(const acquisition::Columns& columns) {
     force_ = place_of(columns, "force_n");
     return;
   }
-  estimator::ModuleSignals& module = signals_.module;
   input_ = place_of(columns, "input_angle_rad");
   output_ = place_of(columns, "output_angle_rad");
-  for (const auto& [name, channel] : {std::pair{"input_angle_rad", &module.input_angle_rad},
-                                      {"output_angle_rad", &module.output_angle_rad},
-                                      {"current_a", &module.current_a},
-                                      {"commanded_angle_rad", &module.commanded_angle_rad},
-                                      {"input_velocity_rad_s", &module.input_velocity_rad_s},
-                                      {"winding_temperature_c", &module.winding_temperature_c},
-                                      {"spring_temperature_c", &module.spring_temperature_c}})
+  module_channels_.clear();  // a module that starts again tells them again
+  for (const auto& [name, values] : estimator::module_channels)
     if (const std::size_t place = place_of(columns, name); place != 0)
-      module_channels_.emplace_back(place, channel);
+      module_channels_.emplace_back(place, &(signals_.module.*values));
+  computes_deflection_ = place_of(columns, "deflection_rad") == 0 && input_ != 0 && output_ != 0;
 }
 
 void LiveSignals::take(const acquisition::SampleRow& row) {
@@ -78,7 +73,7 @@ void LiveSignals::take_module(const acquisition::SampleRow& row) {
   start_.last_host_s = row.host_s();
   module.t_s.push_back(t_s);
   for (const auto& [place, channel] : module_channels_) channel->push_back(row.values[place]);
-  if (input_ != 0 && output_ != 0)
+  if (computes_deflection_)
     module.deflection_rad.push_back(row.values[input_] - row.values[output_]);
 }
 
@@ -96,7 +91,7 @@ std::vector<std::vector<double>*> LiveSignals::module_columns() {
   estimator::ModuleSignals& m = signals_.module;
   std::vector<std::vector<double>*> columns{&m.t_s};
   for (const auto& [place, channel] : module_channels_) columns.push_back(channel);
-  if (input_ != 0 && output_ != 0) columns.push_back(&m.deflection_rad);
+  if (computes_deflection_) columns.push_back(&m.deflection_rad);
   return columns;
 }
 

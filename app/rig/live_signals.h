@@ -48,6 +48,7 @@ class LiveSignals {
   double loadcell_run_ = 0.0;
   std::vector<std::pair<std::size_t, std::vector<double>*>> module_channels_;  ///< place in a row
   std::size_t input_ = 0, output_ = 0, force_ = 0;  ///< places in a row; 0 where there is none
+  bool computes_deflection_ = false;                ///< the module tells its angles alone
   estimator::Signals signals_;
 };
 

@@ -1,7 +1,6 @@
 #include "app/session/merge.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 namespace searig::app {
@@ -9,30 +8,13 @@ namespace {
 
 using estimator::ModuleSignals;
 
-struct Channel {
-  const char* name;
-  std::vector<double> ModuleSignals::*values;
-};
-
-constexpr std::array<Channel, 9> channels{{
-    {"deflection_rad", &ModuleSignals::deflection_rad},
-    {"input_angle_rad", &ModuleSignals::input_angle_rad},
-    {"output_angle_rad", &ModuleSignals::output_angle_rad},
-    {"input_velocity_rad_s", &ModuleSignals::input_velocity_rad_s},
-    {"current_a", &ModuleSignals::current_a},
-    {"motor_angle_rad", &ModuleSignals::motor_angle_rad},
-    {"commanded_angle_rad", &ModuleSignals::commanded_angle_rad},
-    {"winding_temperature_c", &ModuleSignals::winding_temperature_c},
-    {"spring_temperature_c", &ModuleSignals::spring_temperature_c},
-}};
-
 void append(std::vector<double>& to, const std::vector<double>& values) {
   to.insert(to.end(), values.begin(), values.end());
 }
 
 /// Channels that all have go in; one that only some have is told of.
 void append_channels(Merged& out, const std::vector<const Session*>& sessions) {
-  for (const auto& [name, values] : channels) {
+  for (const auto& [name, values] : estimator::module_channels) {
     const auto lacks = [values = values](const Session* s) {
       return (s->signals.module.*values).empty();
     };

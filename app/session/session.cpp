@@ -25,15 +25,7 @@ template <class Take>
 estimator::ModuleSignals module_signals(std::vector<double> t_s, Take take) {
   estimator::ModuleSignals signals;
   signals.t_s = std::move(t_s);
-  signals.input_angle_rad = take("input_angle_rad");
-  signals.output_angle_rad = take("output_angle_rad");
-  signals.deflection_rad = take("deflection_rad");
-  signals.input_velocity_rad_s = take("input_velocity_rad_s");
-  signals.current_a = take("current_a");
-  signals.motor_angle_rad = take("motor_angle_rad");
-  signals.commanded_angle_rad = take("commanded_angle_rad");
-  signals.winding_temperature_c = take("winding_temperature_c");
-  signals.spring_temperature_c = take("spring_temperature_c");
+  for (const auto& [name, values] : estimator::module_channels) signals.*values = take(name);
   if (signals.deflection_rad.empty() && !signals.input_angle_rad.empty() &&
       !signals.output_angle_rad.empty()) {
     signals.deflection_rad.resize(signals.t_s.size());  // theta = q_i - q_o

@@ -85,8 +85,9 @@ Simulated simulate(const estimator::Model& model, const Session& like,
   drop_channel(out.recording.loadcell, "force_n");
   set_channel(out.recording.loadcell, "torque_nm", std::move(measured));
 
-  auto current = model.has("drive.motor") ? estimator::current_for(model, signals.module, torques.spring_nm)
-                                          : std::vector<double>();
+  auto current = model.has("drive.motor")
+                     ? estimator::current_for(model, signals.module, torques.spring_nm)
+                     : std::vector<double>();
   if (current.empty()) {
     out.notes.push_back(model.has("drive.motor")
                             ? "there is no current: the recording has no input angle or velocity"

@@ -1,7 +1,6 @@
 #include "estimator/evaluation/telemetry.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace searig::estimator {
@@ -9,25 +8,21 @@ namespace {
 
 constexpr std::size_t least_context = 6;  // rows: a local cubic reaches for four where they are few
 
-constexpr std::array columns{&ModuleSignals::t_s,
-                             &ModuleSignals::deflection_rad,
-                             &ModuleSignals::input_angle_rad,
-                             &ModuleSignals::output_angle_rad,
-                             &ModuleSignals::input_velocity_rad_s,
-                             &ModuleSignals::current_a,
-                             &ModuleSignals::motor_angle_rad,
-                             &ModuleSignals::commanded_angle_rad,
-                             &ModuleSignals::winding_temperature_c,
-                             &ModuleSignals::spring_temperature_c};
+/// work(column) for the time and each channel.
+template <typename Work>
+void for_each_column(Work work) {
+  work(&ModuleSignals::t_s);
+  for (const ModuleChannel& channel : module_channels) work(channel.values);
+}
 
 }  // namespace
 
 void BlockMaker::add(const ModuleSignals& rows) {
-  for (const auto column : columns) {
+  for_each_column([&](auto column) {
     auto& to = kept_.*column;
     const auto& more = rows.*column;
     to.insert(to.end(), more.begin(), more.end());
-  }
+  });
   const std::vector<double>& t = kept_.t_s;
   if (t.size() < from_ + 2 * least_context) return;
   const auto known = std::lower_bound(t.begin(), t.end(), t.back() - context_s_);
@@ -37,10 +32,10 @@ void BlockMaker::add(const ModuleSignals& rows) {
   const auto needed = std::lower_bound(t.begin(), t.end(), t[to] - context_s_);
   const std::size_t drop =
       std::min(std::size_t(needed - t.begin()), to - std::min(to, least_context));
-  for (const auto column : columns) {
+  for_each_column([&](auto column) {
     auto& values = kept_.*column;
     if (!values.empty()) values.erase(values.begin(), values.begin() + std::ptrdiff_t(drop));
-  }
+  });
   from_ = to - drop;
 }
 
