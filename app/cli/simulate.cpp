@@ -34,7 +34,7 @@ void run_like(const Options& options) {
   std::error_code ignored;
   if (fs::equivalent(options.like, options.out, ignored))
     throw std::runtime_error(options.out + " is the recording itself; it is not overwritten.");
-  const auto model = find_model({}, options.model_or_spec);
+  const auto model = find_model(std::filesystem::path(), options.model_or_spec);
   const Session like = open_session(options.like);
   keep(simulate(*model, like, {options.noise_nm, options.noise_a, options.seed}), *model,
        options.out);

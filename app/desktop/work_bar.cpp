@@ -19,6 +19,30 @@ constexpr auto between_words = std::chrono::milliseconds(50);  // the eye reads 
 
 }  // namespace
 
+/// The bar outlives its tasks: it joins their threads.
+struct WorkBar::Progress::Task {
+  WorkBar* bar;
+  std::atomic<bool> stopped{false}, over{false};
+  Clock::time_point said = {};  // the work's thread only
+};
+
+void WorkBar::Progress::show(std::function<void()> call) const {
+  QMetaObject::invokeMethod(
+      task_->bar,
+      [task = task_, call = std::move(call)] {
+        if (!task->stopped) call();
+      },
+      Qt::QueuedConnection);
+}
+
+bool WorkBar::Progress::operator()(const std::string& doing, double share) const {
+  if (const auto now = Clock::now(); now - task_->said >= between_words) {
+    task_->said = now;
+    show([=, bar = task_->bar] { bar->show_progress(doing, share); });
+  }
+  return !task_->stopped;
+}
+
 WorkBar::WorkBar(QWidget* parent)
     : QWidget(parent),
       doing_(new QLabel(this)),
@@ -45,21 +69,11 @@ WorkBar::~WorkBar() {
 void WorkBar::start(const QString& doing, Work work, Failed failed) {
   cancel();
   drop_what_is_over();
-  auto task = std::make_shared<Task>();
-  current_ = task;
-  show_progress(task, doing.toStdString(), -1.0);
+  Progress progress;
+  auto task = current_ = progress.task_ = std::make_shared<Task>();
+  task->bar = this;
+  show_progress(doing.toStdString(), -1.0);
   show();
-  const auto on_window = [this](std::function<void()> call) {
-    QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
-  };
-  const Progress progress = [this, task, on_window, last = Clock::time_point{}](
-                                const std::string& words, double share) mutable {
-    if (const auto now = Clock::now(); now - last >= between_words) {
-      last = now;
-      on_window([=, this] { show_progress(task, words, share); });
-    }
-    return !task->stopped;
-  };
   auto run = [=, this, work = std::move(work), failed = std::move(failed)] {
     std::function<void()> show_results;
     QString why;
@@ -68,8 +82,7 @@ void WorkBar::start(const QString& doing, Work work, Failed failed) {
     } catch (const std::exception& error) {
       why = QString::fromUtf8(error.what());
     }
-    on_window([=, this] {
-      if (task->stopped) return;
+    progress.show([=, this] {
       finish();
       show_results ? show_results() : failed(why);
     });
@@ -95,9 +108,7 @@ void WorkBar::finish() {
   if (changed_) changed_();
 }
 
-void WorkBar::show_progress(const std::shared_ptr<Task>& task, const std::string& doing,
-                            double share) {
-  if (task != current_) return;
+void WorkBar::show_progress(const std::string& doing, double share) {
   bar_->setRange(0, share < 0.0 ? 0 : 100);
   if (share >= 0.0) bar_->setValue(int(std::lround(100.0 * share)));
   QString words = QString::fromStdString(doing);

@@ -19,8 +19,19 @@ namespace searig::app::desktop {
 /// none. All but Work itself is called on the window's thread.
 class WorkBar : public QWidget {
  public:
-  /// Says what is being done and how much of it is (below 0: nobody knows); false: stop.
-  using Progress = std::function<bool(const std::string& doing, double share)>;
+  /// How work speaks to the window; may be copied.
+  class Progress {
+   public:
+    /// Says what is being done and how much of it is (below 0: nobody knows); false: stop.
+    bool operator()(const std::string& doing, double share) const;
+    /// What there is so far: runs on the window's thread, unless the work was stopped.
+    void show(std::function<void()> call) const;
+
+   private:
+    friend class WorkBar;
+    struct Task;
+    std::shared_ptr<Task> task_;
+  };
   /// Runs on another thread, throws what goes wrong, and returns what shows its results, which
   /// runs on the window's thread unless the work was stopped.
   using Work = std::function<std::function<void()>(const Progress&)>;
@@ -39,15 +50,13 @@ class WorkBar : public QWidget {
   void on_change(std::function<void()> changed) { changed_ = std::move(changed); }
 
  private:
-  struct Task {
-    std::atomic<bool> stopped{false}, over{false};
-  };
+  using Task = Progress::Task;
   struct Running {
     std::shared_ptr<Task> task;
     std::jthread thread;
   };
 
-  void show_progress(const std::shared_ptr<Task>& task, const std::string& doing, double share);
+  void show_progress(const std::string& doing, double share);
   void finish();
   void drop_what_is_over();
 

@@ -1,12 +1,17 @@
 #include "app/rig/history.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "estimator/model/predict.h"
 
 namespace searig::app {
 namespace {
+
+constexpr std::array track_columns{
+    &History::t_s,    &History::estimated_nm,         &History::current_nm,
+    &History::weight, &History::stiffness_nm_per_rad, &History::stiffness_sd_nm_per_rad};
 
 std::vector<double> since(double start_s, const std::vector<double>& t_s) {
   std::vector<double> out(t_s);
@@ -23,6 +28,17 @@ void History::append(const estimator::OnlineEstimate& estimate, double start_s) 
   weight.push_back(estimate.weight);
   stiffness_nm_per_rad.push_back(estimate.k_nm_per_rad);
   stiffness_sd_nm_per_rad.push_back(std::sqrt(estimate.variance));
+}
+
+void History::append(const History& more) {
+  for (const auto column : track_columns) {
+    auto& to = this->*column;
+    to.insert(to.end(), (more.*column).begin(), (more.*column).end());
+  }
+}
+
+void History::reserve(std::size_t samples) {
+  for (const auto column : track_columns) (this->*column).reserve(samples);
 }
 
 void History::set_measured(const estimator::LoadcellSignals& loadcell, double start_s) {

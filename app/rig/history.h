@@ -24,6 +24,8 @@ struct History {
   std::vector<double> measured_nm;
 
   void append(const estimator::OnlineEstimate& estimate, double start_s);
+  void append(const History& more);  ///< but for what was measured
+  void reserve(std::size_t samples);
   void set_measured(const estimator::LoadcellSignals& loadcell, double start_s);
 };
 

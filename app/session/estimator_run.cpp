@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/report/quantity.h"
+#include "app/session/hand_over.h"
 #include "estimator/evaluation/state_track.h"
 #include "estimator/model/predict.h"
 
@@ -63,6 +64,11 @@ void replace_by_states(EstimatorRun& run, const Session& session, const estimato
   history.stiffness_sd_nm_per_rad.clear();
 }
 
+double start_of(const Session& session) {
+  const auto& t_s = session.signals.module.t_s;
+  return t_s.empty() ? 0.0 : t_s.front();
+}
+
 EstimatorRun simulation_of(const Session& session, const RunSettings& settings,
                            const std::optional<estimator::Model>& model) {
   if (!model) throw about(session, "has no model to simulate; choose a model file");
@@ -70,7 +76,7 @@ EstimatorRun simulation_of(const Session& session, const RunSettings& settings,
   if (torques.loadcell_nm.empty())
     throw about(session, "lacks the channels that the model's spring needs");
   EstimatorRun run{settings, {}, {}};
-  run.history.set_measured(session.signals.loadcell, session.signals.module.t_s.front());
+  run.history.set_measured(session.signals.loadcell, start_of(session));
   run.history.t_s = since_start(session.signals.module);
   run.history.estimated_nm = std::move(torques.loadcell_nm);
   run.history.current_nm = std::move(torques.drive_nm);
@@ -110,15 +116,35 @@ std::string words_for(const RunSettings& settings) {
 }
 
 EstimatorRun run_estimator(const Session& session, const RunSettings& settings) {
-  const auto model = find_model(session.recording.path, settings.model_file);
+  return run_estimator(session, settings, {});
+}
+
+EstimatorRun run_estimator(const Session& session, const RunSettings& settings,
+                           const RunWatch& watch) {
+  const auto model = find_model(session.recording, settings.model_file);
   if (settings.kind == RunKind::simulation) {
     EstimatorRun run = simulation_of(session, settings, model);
     run.history.estimated_from = words_for(settings);
     return run;
   }
-  const auto evaluation =
-      evaluate_session(session, model, {.initial_k_nm_per_rad = settings.initial_k_nm_per_rad});
-  EstimatorRun run{settings, history_of(session.signals, evaluation), remarks(evaluation.notes)};
+  EstimatorRun run{settings, {}, {}};
+  const double start_s = start_of(session);
+  const bool gives = watch && settings.kind == RunKind::online;
+  const auto evaluation = evaluate_session(
+      session, model, {.initial_k_nm_per_rad = settings.initial_k_nm_per_rad},
+      {.track =
+           [&](auto track) {
+             History more;
+             for (const auto& estimate : track)
+               (gives ? more : run.history).append(estimate, start_s);
+             if (watch) watch(std::move(more));
+           },
+       .pass = make_ahead<estimator::DrivenRows, estimator::Watch::Make, estimator::Watch::Give>});
+  run.remark = remarks(evaluation.notes);
+  if (evaluation.online)
+    run.history.set_measured(session.signals.loadcell, start_s);
+  else
+    run.history = history_of(session.signals, evaluation);
   if (settings.kind == RunKind::online) return run;
   if (!evaluation.online) throw about(session, "has no online estimate, so none of several states");
   try {

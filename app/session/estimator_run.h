@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,14 @@ struct EstimatorRun {
 
 /// Throws with one sentence where settings and recording do not go together.
 EstimatorRun run_estimator(const Session& session, const RunSettings& settings);
+
+/// The next columns of a run that is being estimated, without what was measured; none now and then.
+/// What it throws stops the run and comes out of it.
+using RunWatch = std::function<void(History more)>;
+
+/// The same, watched. What the watch has been given is not in the run's history again.
+EstimatorRun run_estimator(const Session& session, const RunSettings& settings,
+                           const RunWatch& watch);
 
 /// What a view shows at a time, seconds since the first telemetry; nothing outside the data.
 struct RunValues {

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <thread>
 #include <utility>
 
 #include "acquisition/clock/synchronise.h"
-#include "acquisition/recording/mcap/read_mcap.h"
 #include "acquisition/recording/module_rows.h"
 #include "app/session/hand_over.h"
 #include "app/session/session.h"
@@ -49,34 +47,15 @@ class StreamedTelemetry : public estimator::Telemetry {
   double last_s() const { return last_s_; }
 
  private:
-  using Pieces = HandOver<estimator::ModuleSignals>;
-
-  /// Lets the reader go, also where an exception ends the work; before it is waited for.
-  struct Refusal {
-    Pieces& pieces;
-    ~Refusal() { pieces.refuse(); }
-  };
-  struct Stopped {};
-
   /// One thread reads while the caller's works on what was read.
   template <class Add>
   void while_read_ahead(Add add) const {
-    Pieces pieces;
-    const std::jthread reader([&] { read_into(pieces); });
-    const Refusal at_the_end{pieces};
-    while (const auto piece = pieces.take()) add(*piece);
-  }
-
-  void read_into(Pieces& pieces) const {
-    try {
+    const auto read = [&](const auto& give) {
       rows_.go_through(channels_, [&](const acquisition::Stream& piece) {
-        if (!piece.t_s.empty() && !pieces.give(signals_of(piece))) throw Stopped();
+        if (!piece.t_s.empty()) give(signals_of(piece));
       });
-      pieces.end();
-    } catch (const Stopped&) {
-    } catch (...) {
-      pieces.end(std::current_exception());
-    }
+    };
+    make_ahead<estimator::ModuleSignals>(read, add);
   }
 
   const ModuleRows& rows_;
@@ -109,22 +88,13 @@ EvaluatedRecording with_notes(Evaluation evaluation, const Recording& recording,
   return out;
 }
 
-/// As find_model(), without reading an .mcap file once more for it.
-std::optional<Model> model_of(const Recording& recording,
-                              const std::optional<std::filesystem::path>& model_file) {
-  if (model_file || !acquisition::mcap::is_mcap(recording.path))
-    return find_model(recording.path, model_file);
-  if (recording.model_toml.empty()) return std::nullopt;
-  return estimator::parse_model(recording.model_toml, recording.path.string() + ", its model");
-}
-
 /// Nothing where the recording has to be loaded.
 std::optional<EvaluatedRecording> streamed(const std::filesystem::path& path,
                                            const std::optional<std::filesystem::path>& model_file,
                                            const EvaluationOptions& options, bool read_ahead) {
   auto opened = acquisition::open_recording(path);
   if (!opened || opened->recording.loadcell.t_s.empty()) return std::nullopt;
-  const std::optional<Model> model = model_of(opened->recording, model_file);
+  const std::optional<Model> model = find_model(opened->recording, model_file);
   if (!estimator::needs_whole(model ? &*model : nullptr, options).empty()) return std::nullopt;
   Recording& recording = opened->recording;
   acquisition::Stream& module = recording.module;
@@ -156,7 +126,7 @@ EvaluatedRecording evaluate_recording(const std::filesystem::path& path,
   } catch (const std::exception&) {  // loaded it may do; else that says why not
   }
   const Session session = open_session(path);
-  return with_notes(evaluate_session(session, model_of(session.recording, model_file), options),
+  return with_notes(evaluate_session(session, find_model(session.recording, model_file), options),
                     session.recording, session.clock, false);
 }
 

@@ -7,6 +7,7 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <thread>
 #include <utility>
 
 namespace searig::app {
@@ -61,5 +62,30 @@ class HandOver {
   bool ended_ = false, refused_ = false;
   std::exception_ptr error_;
 };
+
+/// make(give) runs in a thread of its own, by a few pieces ahead of take(piece), which runs in the
+/// caller's. What either of them throws ends both and comes out here.
+template <class Piece, class Make, class Take>
+void make_ahead(Make make, Take take) {
+  struct Refused {};
+  HandOver<Piece> pieces;
+  const std::jthread maker([&] {
+    try {
+      make([&](Piece piece) {
+        if (!pieces.give(std::move(piece))) throw Refused();
+      });
+      pieces.end();
+    } catch (const Refused&) {
+    } catch (...) {
+      pieces.end(std::current_exception());
+    }
+  });
+  // Lets the maker go before it is waited for.
+  struct AtTheEnd {
+    HandOver<Piece>& pieces;
+    ~AtTheEnd() { pieces.refuse(); }
+  } const at_the_end{pieces};
+  while (auto piece = pieces.take()) take(std::move(*piece));
+}
 
 }  // namespace searig::app

@@ -36,6 +36,16 @@ estimator::ModuleSignals module_signals(std::vector<double> t_s, Take take) {
   return signals;
 }
 
+/// What the estimator refuses, with the recording's path before it.
+template <class Evaluate>
+estimator::Evaluation said_of(const Session& session, Evaluate evaluate) {
+  try {
+    return evaluate();
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(session.recording.path.string() + ": " + error.what() + ".");
+  }
+}
+
 }  // namespace
 
 estimator::ModuleSignals signals_of(const acquisition::Stream& module) {
@@ -90,11 +100,18 @@ Session session_of(acquisition::Recording recording) {
 estimator::Evaluation evaluate_session(const Session& session,
                                        const std::optional<estimator::Model>& model,
                                        const estimator::EvaluationOptions& options) {
-  try {
+  return said_of(session, [&] {
     return estimator::evaluate(session.signals, model ? &*model : nullptr, options);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(session.recording.path.string() + ": " + error.what() + ".");
-  }
+  });
+}
+
+estimator::Evaluation evaluate_session(const Session& session,
+                                       const std::optional<estimator::Model>& model,
+                                       const estimator::EvaluationOptions& options,
+                                       const estimator::Watch& watch) {
+  return said_of(session, [&] {
+    return estimator::evaluate(session.signals, model ? &*model : nullptr, options, watch);
+  });
 }
 
 std::optional<estimator::Model> find_model(const std::filesystem::path& recording,
@@ -112,6 +129,14 @@ std::optional<estimator::Model> find_model(const std::filesystem::path& recordin
       std::filesystem::is_directory(recording) ? recording : recording.parent_path();
   if (std::filesystem::exists(folder / "model.toml")) return read(folder / "model.toml");
   return std::nullopt;
+}
+
+std::optional<estimator::Model> find_model(const Recording& recording,
+                                           const std::optional<std::filesystem::path>& model_file) {
+  if (model_file || !acquisition::mcap::is_mcap(recording.path))
+    return find_model(recording.path, model_file);
+  if (recording.model_toml.empty()) return std::nullopt;
+  return estimator::parse_model(recording.model_toml, recording.path.string() + ", its model");
 }
 
 }  // namespace searig::app

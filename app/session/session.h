@@ -42,10 +42,19 @@ estimator::LoadcellSignals loadcell_signals(const acquisition::Recording& record
 estimator::Evaluation evaluate_session(const Session& session,
                                        const std::optional<estimator::Model>& model,
                                        const estimator::EvaluationOptions& options = {});
+/// The same while it is watched.
+estimator::Evaluation evaluate_session(const Session& session,
+                                       const std::optional<estimator::Model>& model,
+                                       const estimator::EvaluationOptions& options,
+                                       const estimator::Watch& watch);
 
 /// The model to hold against a recording: `model_file` where given, else model.toml in the
 /// recording, else none. Throws with one sentence where the file cannot be used.
 std::optional<estimator::Model> find_model(const std::filesystem::path& recording,
+                                           const std::optional<std::filesystem::path>& model_file);
+
+/// The same of a recording that has been read, whose file is not read again for it.
+std::optional<estimator::Model> find_model(const acquisition::Recording& recording,
                                            const std::optional<std::filesystem::path>& model_file);
 
 }  // namespace searig::app

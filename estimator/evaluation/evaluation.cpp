@@ -18,6 +18,8 @@ namespace searig::estimator {
 
 namespace {
 
+constexpr std::size_t rows_at_once = 65'536;  // of who watches: a minute at 1 kHz, a frame's work
+
 void check(const Survey& survey) {
   if (survey.rows < 5) {
     throw std::invalid_argument("the recording holds fewer than five samples of the module");
@@ -67,17 +69,29 @@ void note_current(const Survey& survey, const DriveRule& drive, Evaluation& out)
   }
 }
 
+DrivenRows driven(const TelemetryBlock& block, const DriveRule& drive) {
+  const auto part = [&](const std::vector<double>& all) {
+    if (all.empty()) return all;
+    return std::vector<double>(all.begin() + std::ptrdiff_t(block.from),
+                               all.begin() + std::ptrdiff_t(block.to));
+  };
+  return {part(block.rows.t_s), part(block.rows.deflection_rad), drive.nm(block)};
+}
+
 /// The second time through the telemetry: what needs a drive torque.
 void follow(const Telemetry& telemetry, const Survey& survey, const DriveRule& drive,
-            OnlineRun* online, Evaluation& out) {
+            OnlineRun* online, const Watch& watch, Evaluation& out) {
   StreamSampler drive_at(survey.loadcell.t_s);
-  telemetry.go_through(drive_half_width_s, [&](const TelemetryBlock& block) {
-    const std::vector<double> nm = drive.nm(block);
-    for (std::size_t i = block.from; i < block.to; ++i) {
-      const double t = block.rows.t_s[i], torque = nm[i - block.from];
-      drive_at.push(t, torque);
-      if (online) online->push(t, block.rows.deflection_rad[i], torque);
+  const auto make = [&](const Watch::Give& give) {
+    telemetry.go_through(drive_half_width_s,
+                         [&](const TelemetryBlock& block) { give(driven(block, drive)); });
+  };
+  watch.pass(make, [&](const DrivenRows& rows) {
+    for (std::size_t i = 0; i < rows.t_s.size(); ++i) {
+      drive_at.push(rows.t_s[i], rows.drive_nm[i]);
+      if (online) online->push(rows.t_s[i], rows.deflection_rad[i], rows.drive_nm[i]);
     }
+    if (online && watch.track) watch.track(online->take_track());
   });
   auto estimate = drive_at.finish();
   for (double& torque : estimate) torque += drive.offset_nm;
@@ -119,7 +133,7 @@ struct Evaluated {
 
 Evaluated evaluate_stream(const Telemetry& given, const LoadcellSignals& loadcell,
                           double gear_ratio, const Model* model, const EvaluationOptions& options,
-                          bool keep_track) {
+                          Track track, const Watch& watch = {}) {
   const bool by_loop = options.drive == DriveTerms::loop;
   const bool knows_amperes = !by_loop || options.loop_gain_a_per_rad;
   const Model* drive_model = knows_amperes ? model : nullptr;
@@ -145,9 +159,9 @@ Evaluated evaluate_stream(const Telemetry& given, const LoadcellSignals& loadcel
   std::optional<OnlineRun> online;
   if (survey.has_deflection) {
     if (const auto start = online_start(model, options, out.best_fit, out.notes))
-      online.emplace(*start, options, out.best_fit, survey.loadcell.t_s, keep_track);
+      online.emplace(*start, options, out.best_fit, survey.loadcell.t_s, track);
   }
-  follow(telemetry, survey, all.drive, online ? &*online : nullptr, out);
+  follow(telemetry, survey, all.drive, online ? &*online : nullptr, watch, out);
   if (online) out.online = online->finish(survey, out.notes);
   return all;
 }
@@ -165,13 +179,14 @@ std::string needs_whole(const Model* model, const EvaluationOptions& options) {
 
 Evaluation evaluate(const Telemetry& telemetry, const LoadcellSignals& loadcell, double gear_ratio,
                     const Model* model, const EvaluationOptions& options) {
-  return evaluate_stream(telemetry, loadcell, gear_ratio, model, options, false).evaluation;
+  return evaluate_stream(telemetry, loadcell, gear_ratio, model, options, Track::dropped)
+      .evaluation;
 }
 
 Evaluation evaluate(const Signals& recorded, const Model* model, const EvaluationOptions& options) {
   const WholeTelemetry telemetry(recorded.module);
-  Evaluated all =
-      evaluate_stream(telemetry, recorded.loadcell, recorded.gear_ratio, model, options, true);
+  Evaluated all = evaluate_stream(telemetry, recorded.loadcell, recorded.gear_ratio, model, options,
+                                  Track::kept);
   Evaluation& out = all.evaluation;
   if (!out.online || options.estimators.empty()) return out;
   Signals signals = recorded;
@@ -181,6 +196,15 @@ Evaluation evaluate(const Signals& recorded, const Model* model, const Evaluatio
   const std::vector<double> drive_nm = all.drive.nm({signals.module, 0, signals.module.t_s.size()});
   out.estimators = compare_estimators(signals, model, drive_nm, options, *out.online, out.notes);
   return out;
+}
+
+Evaluation evaluate(const Signals& signals, const Model* model, const EvaluationOptions& options,
+                    const Watch& watch) {
+  const bool whole = !needs_whole(model, options).empty();
+  const WholeTelemetry telemetry(signals.module, whole ? signals.module.t_s.size() : rows_at_once);
+  return evaluate_stream(telemetry, signals.loadcell, signals.gear_ratio, model, options,
+                         Track::kept, watch)
+      .evaluation;
 }
 
 }  // namespace searig::estimator

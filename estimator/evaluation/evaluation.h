@@ -2,7 +2,9 @@
 // load cell.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,7 +48,8 @@ struct OnlineResult {
   Score score;            ///< of k theta, with the k of that moment
   double trust_weight_s;  ///< the sum of trust weight times time over the recording
   std::optional<Convergence> convergence;
-  std::vector<OnlineEstimate> track;  ///< at every telemetry sample; empty where that is streamed
+  std::vector<OnlineEstimate>
+      track;  ///< at every telemetry sample; empty where that is streamed or watched
 };
 
 /// One of the estimators that were asked for.
@@ -79,6 +82,29 @@ struct Evaluation {
 /// Throws std::invalid_argument with one sentence where there is nothing to compare with.
 Evaluation evaluate(const Signals& signals, const Model* model = nullptr,
                     const EvaluationOptions& options = {});
+
+/// Telemetry with the torque of its drive: columns of one size.
+struct DrivenRows {
+  std::vector<double> t_s, deflection_rad, drive_nm;
+};
+
+/// Whoever watches the online estimate come.
+struct Watch {
+  using Give = std::function<void(DrivenRows)>;
+  using Make = std::function<void(const Give&)>;
+
+  /// Stretch after stretch of what is then no longer in OnlineResult::track. What it throws ends
+  /// the evaluation and comes out of it.
+  std::function<void(std::span<const OnlineEstimate>)> track;
+  /// Lets make() give all that is to be taken, in order. The estimator starts no threads; who has
+  /// one to spare lets the torques of the next rows be worked out in it.
+  std::function<void(const Make& make, const Give& take)> pass =
+      [](const Make& make, const Give& take) { make(take); };
+};
+
+/// As evaluate() of the same signals, to the bit but for drive.stribeck.
+Evaluation evaluate(const Signals& signals, const Model* model, const EvaluationOptions& options,
+                    const Watch& watch);
 
 /// The same of telemetry that is not in memory: it is gone through twice. The same to the bit but
 /// for drive.stribeck, whose exponential the compiler may round otherwise by the last bit.

@@ -1,6 +1,7 @@
 #include "estimator/evaluation/online_result.h"
 
 #include <cmath>
+#include <utility>
 
 namespace searig::estimator {
 
@@ -34,10 +35,8 @@ std::optional<double> online_start(const Model* model, const EvaluationOptions& 
 
 OnlineRun::OnlineRun(double initial_k_nm_per_rad, const EvaluationOptions& options,
                      const std::optional<BestFit>& best_fit, std::span<const double> loadcell_s,
-                     bool keep_track)
-    : online_(online_options(initial_k_nm_per_rad, options)),
-      k_at_(loadcell_s),
-      keep_track_(keep_track) {
+                     Track track)
+    : online_(online_options(initial_k_nm_per_rad, options)), k_at_(loadcell_s), track_(track) {
   out_.initial_k_nm_per_rad = initial_k_nm_per_rad;
   out_.trust_weight_s = 0;
   if (best_fit) best_k_ = best_fit->k_nm_per_rad;
@@ -63,7 +62,13 @@ void OnlineRun::take(const OnlineEstimate& estimate) {
   }
   before_ = estimate;
   k_at_.push(estimate.t_s, estimate.k_nm_per_rad);
-  if (keep_track_) out_.track.push_back(estimate);
+  if (track_ == Track::kept) out_.track.push_back(estimate);
+}
+
+std::span<const OnlineEstimate> OnlineRun::take_track() {
+  taken_.clear();
+  std::swap(taken_, out_.track);
+  return taken_;
 }
 
 std::optional<OnlineResult> OnlineRun::finish(const Survey& survey,

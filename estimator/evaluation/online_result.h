@@ -19,6 +19,9 @@ std::optional<double> online_start(const Model* model, const EvaluationOptions& 
                                    const std::optional<BestFit>& best_fit,
                                    std::vector<std::string>& notes);
 
+/// Whether the estimate of each sample is kept.
+enum class Track { dropped, kept };
+
 /// The online estimator along the telemetry, and what becomes of it, without the track of it being
 /// kept unless asked for.
 class OnlineRun {
@@ -26,9 +29,12 @@ class OnlineRun {
   /// `loadcell_s` must outlive it.
   OnlineRun(double initial_k_nm_per_rad, const EvaluationOptions& options,
             const std::optional<BestFit>& best_fit, std::span<const double> loadcell_s,
-            bool keep_track);
+            Track track);
 
   void push(double t_s, double deflection_rad, double drive_nm);
+
+  /// What has been kept of the track since the last call; until the next one, or a push().
+  std::span<const OnlineEstimate> take_track();
 
   /// After the last sample. Nothing, and a note, where none could be used.
   std::optional<OnlineResult> finish(const Survey& survey, std::vector<std::string>& notes);
@@ -41,7 +47,8 @@ class OnlineRun {
   OnlineResult out_;
   std::optional<double> best_k_;
   StreamSampler k_at_;
-  bool keep_track_;
+  Track track_;
+  std::vector<OnlineEstimate> taken_;
   std::optional<OnlineEstimate> before_;
   double first_s_ = 0;
   Convergence so_far_{0, 0};

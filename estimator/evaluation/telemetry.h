@@ -26,16 +26,19 @@ class Telemetry {
   virtual void go_through(double context_s, const Take& take) const = 0;
 };
 
-/// Telemetry that is in memory, as one block. The signals must outlive it.
+/// Telemetry that is in memory, as one block unless fewer rows are wanted at once. The signals must
+/// outlive it.
 class WholeTelemetry : public Telemetry {
  public:
-  explicit WholeTelemetry(const ModuleSignals& module) : module_(module) {}
-  void go_through(double, const Take& take) const override {
-    take({module_, 0, module_.t_s.size()});
-  }
+  explicit WholeTelemetry(const ModuleSignals& module)
+      : WholeTelemetry(module, module.t_s.size()) {}
+  WholeTelemetry(const ModuleSignals& module, std::size_t rows_at_once)
+      : module_(module), rows_at_once_(rows_at_once) {}
+  void go_through(double context_s, const Take& take) const override;
 
  private:
   const ModuleSignals& module_;
+  std::size_t rows_at_once_;
 };
 
 /// Turns rows that come in pieces into blocks with context.

@@ -102,7 +102,7 @@ void DiagnosePage::diagnose() {
       QStringLiteral("Beginning"),
       [this, session = session_,
        file = model_file_](const WorkBar::Progress& progress) -> std::function<void()> {
-        const auto model = find_model(session->recording.path, file);
+        const auto model = find_model(session->recording, file);
         auto found = std::make_shared<const Examined>(examine({session.get()}, model, progress));
         return [this, found] { show_result(found); };
       },

@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QMenu>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "app/desktop/plot/time_plot.h"
@@ -17,9 +19,17 @@ namespace searig::app::desktop {
 namespace {
 
 constexpr int side_px = 300;
+constexpr int between_growths_ms = 100;
 
 QKeySequence with(Qt::Modifier modifier, Qt::Key key) {
   return QKeySequence(int(modifier) | int(key));
+}
+
+const char* next_step(ReplayPage::Place place) {
+  return place == ReplayPage::Place::first
+             ? "What does the simulation leave out? Ctrl+3 goes to Diagnose. R runs the estimator "
+               "with other settings."
+             : "";
 }
 
 }  // namespace
@@ -58,7 +68,7 @@ ReplayPage::ReplayPage(Shell& shell)
                           second_ ? &second_->history : nullptr);
   });
   runs_->on_run([this] { run_again(); });
-  runs_->on_take_away([this] { show_runs(first_, nullptr); });
+  runs_->on_take_away([this] { take_away(); });
   make_actions();
   view_->set_cursors({});
 }
@@ -83,7 +93,7 @@ void ReplayPage::make_actions() {
   add("&No cursors", QKeySequence(Qt::Key_C), [this] { view_->set_cursors({}); });
   menu()->addSeparator();
   add("&Run the estimator again", QKeySequence(Qt::Key_R), [this] { run_again(); });
-  add("&Take the second run away", QKeySequence(Qt::Key_X), [this] { show_runs(first_, nullptr); });
+  add("&Take the second run away", QKeySequence(Qt::Key_X), [this] { take_away(); });
   add("&Stop reading or estimating", QKeySequence(Qt::Key_Escape), [this] {
     if (!work_->busy()) return;
     work_->cancel();
@@ -108,49 +118,78 @@ void ReplayPage::open(const std::filesystem::path& recording,
 
 /// What was measured is there before the estimate is.
 void ReplayPage::show_session(std::shared_ptr<const Session> session) {
-  auto measured = std::make_shared<EstimatorRun>();
-  const auto& module_s = session->signals.module.t_s;
-  measured->history.estimated_from.clear();
-  measured->history.set_measured(session->signals.loadcell,
-                                 module_s.empty() ? 0.0 : module_s.front());
   view_->set_cursors({});
   const auto before = std::exchange(session_, std::move(session));  // the view still shows it
-  show_runs(std::move(measured), nullptr);
+  const auto measured = begun_run({});
+  measured->history.estimated_from.clear();
+  show_runs(measured, nullptr);
+  tell_runs();
   view_->show_all();
   runs_->set_enabled(true);
   shell().caption_changed();
-  run_first();
+  start_run({}, Place::first);
 }
 
-void ReplayPage::run_first() {
-  work_->start(
-      QStringLiteral("Estimating"),
-      [this, session = session_](const WorkBar::Progress&) -> std::function<void()> {
-        auto run = std::make_shared<const EstimatorRun>(run_estimator(*session, {}));
-        return [=, this] {
-          show_runs(run, nullptr);
-          view_->say(QString::fromStdString(run->remark) +
-                     QStringLiteral("What does the simulation leave out? Ctrl+3 goes to Diagnose. "
-                                    "R runs the estimator with other settings."));
-        };
-      },
-      [this](const QString& why) { view_->say(why); });
+/// Measured torque, and no estimate yet.
+std::shared_ptr<EstimatorRun> ReplayPage::begun_run(const RunSettings& settings) const {
+  auto run = std::make_shared<EstimatorRun>();
+  run->settings = settings;
+  const auto& module_s = session_->signals.module.t_s;
+  run->history.set_measured(session_->signals.loadcell, module_s.empty() ? 0.0 : module_s.front());
+  return run;
 }
 
 void ReplayPage::run_again() {
   if (!session_) return view_->say(QStringLiteral("Open a recording first, with Ctrl+O."));
-  const RunSettings settings = runs_->settings();
+  start_run(runs_->settings(), Place::second);
+}
+
+/// The estimate is seen to grow from the left while it comes. Its columns grow here, on the
+/// window's thread, from the pieces that the work hands over.
+void ReplayPage::start_run(const RunSettings& settings, Place place) {
+  const auto growing = begun_run(settings);
+  const std::string doing =
+      place == Place::first ? "estimating" : "estimating: " + words_for(settings);
+  if (place == Place::second) growing->history.estimated_from = words_for(settings);
+  growing->history.reserve(session_->signals.module.t_s.size());
+  since_grown_.invalidate();
   work_->start(
-      QStringLiteral("Estimating: %1").arg(QString::fromStdString(words_for(settings))),
-      [this, settings, session = session_](const WorkBar::Progress&) -> std::function<void()> {
-        auto made = std::make_shared<EstimatorRun>(run_estimator(*session, settings));
-        made->history.estimated_from = words_for(settings);
-        return [this, made] {
-          show_runs(first_, made);
-          view_->say(QString::fromStdString(made->remark));
+      QString::fromStdString(doing),
+      [=, this, session = session_](const WorkBar::Progress& progress) -> std::function<void()> {
+        const double all_s = std::max(
+            1e-9, session->signals.module.t_s.back() - session->signals.module.t_s.front());
+        const auto watch = [&](History more) {
+          const double share = more.t_s.empty() ? -1.0 : more.t_s.back() / all_s;
+          if (!progress(doing, share)) throw std::runtime_error("Stopped.");
+          progress.show([=, this, more = std::move(more)] {
+            growing->history.append(more);
+            show_growing(growing, place);
+          });
+        };
+        auto made = std::make_shared<EstimatorRun>(run_estimator(*session, settings, watch));
+        growing->remark = made->remark;
+        return [=, this] {
+          // Its columns were all handed over, or none.
+          const auto& run = made->history.t_s.empty() ? growing : made;
+          if (place == Place::second) run->history.estimated_from = words_for(settings);
+          place == Place::first ? show_runs(run, nullptr) : show_runs(first_, run);
+          tell_runs();
+          view_->say(QString::fromStdString(run->remark) + QString::fromUtf8(next_step(place)));
         };
       },
       [this](const QString& why) { view_->say(why); });
+}
+
+/// A few times a second: drawing it more often would only keep the estimator waiting.
+void ReplayPage::show_growing(Run run, Place place) {
+  if (run->history.t_s.empty()) return;
+  const bool begins = !since_grown_.isValid();
+  if (!begins && since_grown_.elapsed() < between_growths_ms) return;
+  since_grown_.start();
+  if (begins)
+    place == Place::first ? show_runs(std::move(run), nullptr) : show_runs(first_, std::move(run));
+  else
+    view_->show_range(view_->range());
 }
 
 /// The view lets go of the old columns before they go.
@@ -159,9 +198,19 @@ void ReplayPage::show_runs(Run first, Run second) {
   view_->show_histories(&first->history, second ? &second->history : nullptr);
   first_ = std::move(first);
   second_ = std::move(second);
+}
+
+/// The numbers of runs that are whole.
+void ReplayPage::tell_runs() {
+  if (!first_) return;
   view_->show_numbers(session_->recording, session_->clock);
   view_->set_cursors(view_->cursors());
   runs_->show_runs(first_->history.t_s.empty() ? nullptr : first_.get(), second_.get());
+}
+
+void ReplayPage::take_away() {
+  show_runs(first_, nullptr);
+  tell_runs();
 }
 
 void ReplayPage::use_model(const std::filesystem::path& file) {
@@ -193,6 +242,10 @@ void ReplayPage::step_cursor(bool second, int pixels) {
 
 void ReplayPage::wait() {
   work_->wait();
+}
+
+bool ReplayPage::busy() const {
+  return work_->busy();
 }
 
 QString ReplayPage::caption() const {

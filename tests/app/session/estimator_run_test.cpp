@@ -32,6 +32,23 @@ TEST_F(EstimatorRunTest, FollowsTheStiffnessFromWhereItIsTold) {
   EXPECT_NEAR(run.history.stiffness_nm_per_rad.back(), sample_k, 2.0);
 }
 
+TEST_F(EstimatorRunTest, GivesAWatchedRunAwayAsItComes) {
+  const auto whole = run_estimator(*session_, {});
+  History seen;
+  const auto run = run_estimator(*session_, {}, [&](History more) { seen.append(more); });
+  EXPECT_EQ(seen.estimated_nm, whole.history.estimated_nm);
+  EXPECT_EQ(seen.stiffness_sd_nm_per_rad, whole.history.stiffness_sd_nm_per_rad);
+  EXPECT_TRUE(run.history.t_s.empty());
+  EXPECT_EQ(run.remark, whole.remark);
+  for (const RunKind kind : {RunKind::online, RunKind::linear}) {
+    const auto stop = [](History) { throw std::runtime_error("Stopped."); };
+    EXPECT_THROW(run_estimator(*session_, {.kind = kind}, stop), std::runtime_error);
+  }
+  const RunSettings several{.kind = RunKind::linear};
+  EXPECT_EQ(run_estimator(*session_, several, [](History) {}).history.estimated_nm,
+            run_estimator(*session_, several).history.estimated_nm);
+}
+
 TEST_F(EstimatorRunTest, EstimatesDampingBesideTheStiffness) {
   const RunSettings plain{.kind = RunKind::linear};
   const RunSettings damped{.kind = RunKind::linear, .states = {"spring.linear", "spring.viscous"}};

@@ -37,5 +37,22 @@ TEST(HandOver, LetsTheGiverGoWhereNobodyTakes) {
   pieces.refuse();  // or the giver would never be joined
 }
 
+TEST(MakeAhead, TakesAllInOrderAndEndsByWhatEitherThrows) {
+  int taken = 0;
+  make_ahead<int>(
+      [](const auto& give) {
+        for (int i = 0; i < 1000; ++i) give(i);
+      },
+      [&](int piece) { ASSERT_EQ(piece, taken++); });
+  EXPECT_EQ(taken, 1000);
+  EXPECT_THROW(make_ahead<int>([](const auto&) { throw std::runtime_error("torn"); }, [](int) {}),
+               std::runtime_error);
+  const auto for_ever = [](const auto& give) {
+    while (true) give(1);
+  };
+  EXPECT_THROW(make_ahead<int>(for_ever, [](int) { throw std::runtime_error("enough"); }),
+               std::runtime_error);
+}
+
 }  // namespace
 }  // namespace searig::app

@@ -129,6 +129,36 @@ TEST(TelemetryInPieces, GivesTheSameWhereItIsSparseHasGapsAndEndsEarly) {
   expect_same_in_pieces(signals, &model);
 }
 
+TEST(WatchedEvaluation, GivesTheTrackInStretchesAndNothingElseIsDifferent) {
+  const Signals signals = noisy(300);  // 150,000 rows
+  const Model model = BenchTop{}.model();
+  const EvaluationOptions options{.initial_k_nm_per_rad = 400};
+  const Evaluation whole = evaluate(signals, &model, options);
+  std::vector<OnlineEstimate> track;
+  std::size_t stretches = 0;
+  const Evaluation watched =
+      evaluate(signals, &model, options, {.track = [&](std::span<const OnlineEstimate> more) {
+                 track.insert(track.end(), more.begin(), more.end());
+                 ++stretches;
+               }});
+  expect_same(whole, watched);
+  EXPECT_GE(stretches, 3u);
+  EXPECT_TRUE(watched.online->track.empty());
+  ASSERT_EQ(track.size(), whole.online->track.size());
+  for (std::size_t i = 0; i < track.size(); ++i)
+    ASSERT_EQ(track[i].k_nm_per_rad, whole.online->track[i].k_nm_per_rad) << i;
+}
+
+TEST(WatchedEvaluation, EndsWhenTheWatchThrows) {
+  const Signals signals = noisy(300);
+  int seen = 0;
+  const Watch watch{.track = [&](auto) {
+    if (++seen == 2) throw std::runtime_error("enough");
+  }};
+  EXPECT_THROW(evaluate(signals, nullptr, {}, watch), std::runtime_error);
+  EXPECT_EQ(seen, 2);
+}
+
 TEST(TelemetryInPieces, HasEachRowOnceWithWhatLiesAroundIt) {
   const Signals signals = noisy(10);
   const InPieces pieces(signals.module);
