@@ -30,13 +30,13 @@ void SpanItem::choose(Range x, std::size_t columns) {
   x_ = x;
   columns_ = columns;
   const double half = columns > 1 ? 0.5 * (x.high - x.low) / double(columns - 1) : 0.0;
-  const Range edges{x.low - half, x.high + half};
+  const Range edges = snapped({x.low - half, x.high + half}, columns);
   for (Curve& curve : curves_)
     for (Side* side : {&curve.side, &curve.high}) {
       if (curve.x == nullptr || side->y == nullptr) continue;
       side->extremes.follow(*side->y);
-      column_spans(*curve.x, *side->y, side->extremes, edges, columns,
-                   curve.kind == Kind::dots ? Joined::no : Joined::yes, side->spans);
+      side->spans.follow(*curve.x, *side->y, side->extremes, edges, columns,
+                         curve.kind == Kind::dots ? Joined::no : Joined::yes);
     }
 }
 
@@ -44,7 +44,7 @@ Range SpanItem::y_range() const {
   Range all{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const Curve& curve : curves_)
     for (const Side* side : {&curve.side, &curve.high})
-      for (const Range& span : side->spans) {
+      for (const Range& span : side->spans.spans()) {
         all.low = std::min(all.low, span.low);
         all.high = std::max(all.high, span.high);
       }
@@ -66,11 +66,17 @@ void SpanItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap& y_
                scale);
   for (const Curve& curve : curves_) {
     if (curve.kind == Kind::band)
-      image_.area(curve.side.spans, curve.high.spans, curve.colour);
+      image_.area(curve.side.spans.spans(), curve.high.spans.spans(), curve.colour);
     else
-      image_.line(curve.side.spans, curve.colour, curve.kind == Kind::dots ? dot_size : line_width);
+      image_.line(curve.side.spans.spans(), curve.colour,
+                  curve.kind == Kind::dots ? dot_size : line_width);
   }
-  painter->drawImage(canvas, image_.image());
+  // Pixel by pixel: Qt scales an image that is given in logical ones, if only by one to one.
+  painter->save();
+  painter->scale(1.0 / scale, 1.0 / scale);
+  painter->drawImage(QPointF(std::round(canvas.left() * scale), std::round(canvas.top() * scale)),
+                     image_.image());
+  painter->restore();
 }
 
 }  // namespace searig::app::desktop

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/desktop/plot/span_image.h"
-#include "app/report/column_spans.h"
+#include "app/report/scrolling_spans.h"
 
 namespace searig::app::desktop {
 
@@ -22,7 +22,8 @@ class SpanItem : public QwtPlotItem {
   void set_data(std::size_t curve, const std::vector<double>* x, const std::vector<double>* y,
                 const std::vector<double>* high);
 
-  /// Works out what covers so many pixel columns between the middles of the first and the last.
+  /// Works out what covers so many pixel columns between the middles of the first and the last, or
+  /// up to half a column beside: columns that move stay what they are.
   void choose(Range x, std::size_t columns);
   /// Of what was chosen; low > high where there is nothing.
   Range y_range() const;
@@ -34,7 +35,7 @@ class SpanItem : public QwtPlotItem {
   struct Side {
     const std::vector<double>* y = nullptr;
     Extremes extremes;
-    std::vector<Range> spans;
+    ScrollingSpans spans;
   };
   struct Curve {
     Kind kind;

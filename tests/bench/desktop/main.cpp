@@ -113,14 +113,14 @@ void measure_plots(int frames) {
   }
 }
 
-/// As a rig would send them: [from, to) of the telemetry, the load cell at 50 Hz.
-LiveNews news_of(std::size_t from, std::size_t to) {
+/// As a rig would send them: [from, to) of the telemetry, the load cell at 50 Hz, so much later.
+LiveNews news_of(std::size_t from, std::size_t to, double later_s = 0.0) {
   static std::mt19937_64 random(2);
   std::normal_distribution<double> noise(0.0, 0.05);
   LiveNews news;
   LiveColumns& c = news.more;
   for (std::size_t i = from; i < to; ++i) {
-    const double t = double(i) / rate_hz, torque = 5.0 * std::sin(3.0 * t);
+    const double t = later_s + double(i) / rate_hz, torque = 5.0 * std::sin(3.0 * t);
     c.t_s.push_back(t);
     c.torque_nm.push_back(torque + noise(random));
     c.low_nm.push_back(torque - 0.3);
@@ -138,7 +138,7 @@ LiveNews news_of(std::size_t from, std::size_t to) {
     residuals.t_s.push_back(t);
     residuals.nm.push_back(noise(random));
   }
-  news.now_s = double(to) / rate_hz;
+  news.now_s = later_s + double(to) / rate_hz;
   return news;
 }
 
@@ -169,7 +169,40 @@ void measure_live_plots(int frames) {
   }
 }
 
-/// The whole window, recording the simulated rig with its real firmware at 1 kHz.
+template <typename Until>
+void live_until(Until until) {
+  while (!until()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+}
+
+void watch_recording(const LivePage& page, double seconds, const char* in_view) {
+  const double before_s = page.newest_host_s();
+  live_until([&] { return page.newest_host_s() != before_s; });
+  const double start_cpu_ms = cpu_ms(), start_s = searig::acquisition::host_now_s();
+  std::vector<double> late_ms;
+  double shown_s = page.newest_host_s();
+  live_until([&] {
+    if (page.newest_host_s() != shown_s) {
+      QApplication::processEvents();  // paints
+      // The first sample that the frame before did not have came right behind its newest.
+      late_ms.push_back(1e3 * (searig::acquisition::host_now_s() - shown_s));
+      shown_s = page.newest_host_s();
+    }
+    return searig::acquisition::host_now_s() > start_s + seconds;
+  });
+  const double passed_s = searig::acquisition::host_now_s() - start_s;
+  std::printf(
+      "recording at 1 kHz for %.0f s, the last %s in view: %.1f frames a second, %.1f %% of a "
+      "core\n",
+      passed_s, in_view, double(late_ms.size()) / passed_s,
+      0.1 * (cpu_ms() - start_cpu_ms) / passed_s);
+  std::printf(
+      "  a sample is drawn at most %.0f ms after its arrival in half of the frames, "
+      "%.0f ms in 95 %%, %.0f ms in all\n",
+      share(late_ms, 0.5), share(late_ms, 0.95), share(late_ms, 1.0));
+}
+
+/// The whole window, recording the simulated rig with its real firmware at 1 kHz: with the last
+/// 20 s in view, then with ten minutes, of which all but the first seconds are given to it.
 void measure_recording(double seconds) {
   const searig::TemporaryFolder folder;
   MainWindow window{Theme(false)};
@@ -180,30 +213,16 @@ void measure_recording(double seconds) {
   simulation.module_rate_hz = rate_hz;
   page.choice().set_simulation(simulation);
   page.connect_rig();
-  const auto wait = [&](auto until) {
-    while (!until()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-  };
-  wait([&] { return page.connected() && page.plots().now_s() > 3.0; });
+  live_until([&] { return page.connected() && page.plots().now_s() > 3.0; });
   page.toggle_recording();
-  const double start_cpu_ms = cpu_ms(), start_s = searig::acquisition::host_now_s();
-  std::vector<double> late_ms;
-  double shown_s = page.newest_host_s();
-  wait([&] {
-    if (page.newest_host_s() != shown_s) {
-      QApplication::processEvents();  // paints
-      // The first sample that the frame before did not have came right behind its newest.
-      late_ms.push_back(1e3 * (searig::acquisition::host_now_s() - shown_s));
-      shown_s = page.newest_host_s();
-    }
-    return searig::acquisition::host_now_s() > start_s + seconds;
-  });
-  const double passed_s = searig::acquisition::host_now_s() - start_s;
-  std::printf("recording at 1 kHz, %.0f s: %.1f frames a second, %.1f %% of a core\n", passed_s,
-              double(late_ms.size()) / passed_s, 0.1 * (cpu_ms() - start_cpu_ms) / passed_s);
-  std::printf(
-      "  a sample is drawn at most %.0f ms after its arrival in half of the frames, "
-      "%.0f ms in 95 %%, %.0f ms in all\n",
-      share(late_ms, 0.5), share(late_ms, 0.95), share(late_ms, 1.0));
+  watch_recording(page, seconds, "20 s");
+  LivePlots& plots = page.plots();
+  const double now_s = plots.now_s();
+  plots.clear();
+  LiveNews history = news_of(0, points, now_s - double(points) / rate_hz);
+  plots.take(history);
+  plots.show_all();
+  watch_recording(page, seconds, "10 min");
 }
 
 }  // namespace
