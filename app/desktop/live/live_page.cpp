@@ -161,6 +161,7 @@ void LivePage::calibrate() {
   if (!connected()) return say(QStringLiteral("Connect the load cell first, with Ctrl+R."));
   calibration_->begin(record_->folder(), rig_->options().lever_arm_m.value_or(1.0));
   views_->setCurrentWidget(calibration_);
+  show_hint();
 }
 
 void LivePage::tick() {

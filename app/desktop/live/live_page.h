@@ -67,6 +67,7 @@ class LivePage : public Page {
   void note_events(const LiveNews& news);
   void say(const QString& words);
   void show_hint();
+  QString next_step() const;
   void close_rig();
 
   Theme theme_{false};

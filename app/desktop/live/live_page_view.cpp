@@ -148,10 +148,23 @@ void LivePage::say(const QString& words) {
   show_hint();
 }
 
-/// What was said last, for a while; then what there is to say of the data.
+/// What there is to do now, where nothing is wrong.
+QString LivePage::next_step() const {
+  if (!rig_) return {};
+  const RecordingStatus recording = rig_->recording();
+  if (views_->currentWidget() == calibration_) return {};  // which has its own steps
+  if (recording.running)
+    return QStringLiteral("Recording. M marks what you see; R stops, a minute or two are enough.");
+  if (!recording.file.empty() && recording.failure.empty())
+    return QStringLiteral("Recorded. O opens it in Replay; R records another one.");
+  return QStringLiteral("Connected. R records; C calibrates the load cell with known weights.");
+}
+
+/// What was said last, for a while; then what there is to say of the data; then what to do.
 void LivePage::show_hint() {
   const bool holds = !rig_ || since_notice_.elapsed() < notice_ms;
-  const QString words = holds && !notice_.isEmpty() ? notice_ : verdict_why_;
+  QString words = holds && !notice_.isEmpty() ? notice_ : verdict_why_;
+  if (words.isEmpty()) words = next_step();
   if (hint_->text() == words) return;
   hint_->setText(words);
   hint_->setVisible(!words.isEmpty());

@@ -11,6 +11,13 @@ namespace searig::app::desktop {
 namespace {
 
 constexpr double line_width = 1.3, dot_size = 3.0;  // logical pixels
+constexpr Range nothing{std::numeric_limits<double>::infinity(),
+                        -std::numeric_limits<double>::infinity()};
+
+void join(Range& all, const Range& more) {
+  all.low = std::min(all.low, more.low);
+  all.high = std::max(all.high, more.high);
+}
 
 }  // namespace
 
@@ -40,14 +47,16 @@ void SpanItem::choose(Range x, std::size_t columns) {
     }
 }
 
+Range SpanItem::y_range(std::size_t curve) const {
+  Range all = nothing;
+  for (const Side* side : {&curves_[curve].side, &curves_[curve].high})
+    for (const Range& span : side->spans.spans()) join(all, span);
+  return all;
+}
+
 Range SpanItem::y_range() const {
-  Range all{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const Curve& curve : curves_)
-    for (const Side* side : {&curve.side, &curve.high})
-      for (const Range& span : side->spans.spans()) {
-        all.low = std::min(all.low, span.low);
-        all.high = std::max(all.high, span.high);
-      }
+  Range all = nothing;
+  for (std::size_t curve = 0; curve < curves_.size(); ++curve) join(all, y_range(curve));
   return all;
 }
 

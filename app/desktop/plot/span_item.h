@@ -25,8 +25,9 @@ class SpanItem : public QwtPlotItem {
   /// Works out what covers so many pixel columns between the middles of the first and the last, or
   /// up to half a column beside: columns that move stay what they are.
   void choose(Range x, std::size_t columns);
-  /// Of what was chosen; low > high where there is nothing.
+  /// Of what was chosen, of all curves or of one; low > high where there is nothing.
   Range y_range() const;
+  Range y_range(std::size_t curve) const;
 
   void draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleMap& y_map,
             const QRectF& canvas) const override;

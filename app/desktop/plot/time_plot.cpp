@@ -221,10 +221,6 @@ void TimePlot::fix_y(Range range) {
   plot_->setAxisScale(QwtPlot::yLeft, range.low, range.high);
 }
 
-void TimePlot::follow_y() {
-  y_fixed_ = false;
-}
-
 /// With or without, the canvas ends at the same place: half a label before the right edge.
 void TimePlot::show_time_axis(bool shown) {
   plot_->enableAxis(QwtPlot::xBottom, shown);
@@ -243,7 +239,13 @@ void TimePlot::show_range(Range time_s) {
 /// The axis stands still as long as the data fill it well: one that moves all the time can be
 /// neither read nor drawn cheaply.
 void TimePlot::follow_data() {
-  const Range seen = curves_->y_range();
+  Range seen = curves_->y_range();
+  if (followed_) {
+    const Range one = curves_->y_range(*followed_);
+    const double room = 0.4 * (one.high - one.low);
+    if (room > 0.0)
+      seen = {std::max(seen.low, one.low - room), std::min(seen.high, one.high + room)};
+  }
   if (!(seen.high >= seen.low)) return;
   const double height = std::max({seen.high - seen.low, 1e-9 * std::abs(seen.high), 1e-12});
   const Range now = y_range();

@@ -4,6 +4,7 @@
 #include <QString>
 #include <QWidget>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "app/desktop/theme.h"
@@ -41,7 +42,9 @@ class TimePlot : public QWidget {
 
   /// Keeps the y axis where it is; otherwise it follows the data in view.
   void fix_y(Range range);
-  void follow_y();
+  /// It follows one curve alone, with room about it, wherever that has data in view: what runs far
+  /// away from it flattens nothing.
+  void follow_y(std::size_t place) { followed_ = place; }
   void show_range(Range time_s);
   /// Of plots below each other the lowest alone may have it.
   void show_time_axis(bool shown);
@@ -86,6 +89,7 @@ class TimePlot : public QWidget {
   Entry shading_{{}, Hue::orange, {}, 0.0};
   std::vector<Entry> legend_;
   bool y_fixed_ = false;
+  std::optional<std::size_t> followed_;
 };
 
 }  // namespace searig::app::desktop

@@ -71,6 +71,7 @@ void HistoryView::make_plots() {
   torque_->add_curve(QStringLiteral("measured by the load cell"), Hue::ink);
   torque_->add_curve(QStringLiteral("estimated from the spring"), Hue::blue);
   torque_->add_curve({}, Hue::vermilion);
+  torque_->follow_y(measured);  // not a first guess of k that is ten times too high
   weight_ = new TimePlot(QStringLiteral("Trust in the motor current"),
                          QStringLiteral("weight (0 to 1)"), this);
   weight_->setObjectName(QStringLiteral("weight"));

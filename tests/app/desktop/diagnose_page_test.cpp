@@ -2,54 +2,37 @@
 
 #include <gtest/gtest.h>
 
-#include <QLabel>
-#include <QPushButton>
 #include <cmath>
 
 #include "app/desktop/diagnose/guided_motion.h"
 #include "app/desktop/plot/time_plot.h"
 #include "app/desktop/replay/replay_page.h"
-#include "tests/app/desktop/offscreen.h"
 #include "tests/app/desktop/pixels.h"
+#include "tests/app/desktop/window_test.h"
 #include "tests/app/session/sample_recording.h"
-#include "tests/temporary_folder.h"
 
 namespace searig::app::desktop {
 namespace {
 
 using estimator::Verdict;
 
-class DiagnosePageTest : public testing::Test {
+class DiagnosePageTest : public WindowTest {
  protected:
   void SetUp() override {
     make_sample_recording(path_);
-    window_ = shown_window();
-    window_->open_recording(path_);
-    window_->replay().wait();
+    open(path_);
     key(Qt::Key_3, Qt::ControlModifier);
   }
 
   DiagnosePage& page() { return window_->diagnose(); }
-  void key(Qt::Key key, Qt::KeyboardModifiers with = Qt::NoModifier) {
-    QTest::keyClick(window_.get(), key, with);
-  }
   void find() {
     key(Qt::Key_D);
     page().wait();
-    QApplication::processEvents();
-    ASSERT_NE(page().examined(), nullptr) << page().message().toStdString();
+    settle();
+    ASSERT_NE(page().examined(), nullptr) << message();
   }
-  template <typename Widget>
-  Widget& child(const char* name) {
-    auto* found = page().findChild<Widget*>(QLatin1String(name));
-    EXPECT_NE(found, nullptr) << name;
-    return *found;
-  }
-  std::string words(const char* name) { return child<QLabel>(name).text().toStdString(); }
 
-  TemporaryFolder folder_;
   std::filesystem::path path_ = folder_.path() / "sample";
-  std::unique_ptr<MainWindow> window_;
 };
 
 TEST_F(DiagnosePageTest, NamesWhatTheModelLeavesOutAndAcceptsIt) {
@@ -96,8 +79,7 @@ TEST_F(DiagnosePageTest, TheAcceptedModelIsTheNextRunsOnReplay) {
   key(Qt::Key_2, Qt::ControlModifier);
   key(Qt::Key_R);
   window_->replay().wait();
-  const auto* runs = window_->replay().findChild<QLabel*>("runs");
-  EXPECT_NE(runs->text().indexOf("extended.toml"), -1) << runs->text().toStdString();
+  EXPECT_NE(words("runs").find("extended.toml"), std::string::npos) << words("runs");
 }
 
 TEST_F(DiagnosePageTest, TheNextExperimentLeadsThroughItsMotion) {
@@ -110,7 +92,6 @@ TEST_F(DiagnosePageTest, TheNextExperimentLeadsThroughItsMotion) {
   EXPECT_EQ(words("target"), "Begins in 2 s");
   page().guided().show_time(8.0);
   EXPECT_NE(words("target").find("Spring to"), std::string::npos) << words("target");
-  QApplication::processEvents();
   keep_picture(*window_, "experiment");
   page().guided().show_time(4.0 + finding.next_motion->seconds);
   EXPECT_NE(words("target").find("Done"), std::string::npos);
@@ -133,8 +114,8 @@ TEST_F(DiagnosePageTest, StopsAndGoesOn) {
 
 TEST_F(DiagnosePageTest, AnotherRecordingTakesTheFindingAway) {
   find();
-  window_->open_recording(path_);
-  window_->replay().wait();
+  open(path_);
+  window_->show_page("diagnose");
   EXPECT_EQ(page().examined(), nullptr);
   EXPECT_TRUE(words("verdict").empty());
 }

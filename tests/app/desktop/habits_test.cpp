@@ -14,28 +14,19 @@
 #include "acquisition/recording/text_file.h"
 #include "app/desktop/diagnose/diagnose_page.h"
 #include "app/desktop/exports.h"
-#include "app/desktop/layout_description.h"
 #include "app/desktop/replay/history_view.h"
 #include "app/desktop/replay/replay_page.h"
 #include "app/desktop/session_store.h"
-#include "tests/app/desktop/offscreen.h"
+#include "tests/app/desktop/window_test.h"
 #include "tests/app/session/sample_recording.h"
-#include "tests/temporary_folder.h"
 
 namespace searig::app::desktop {
 namespace {
 
-class HabitsTest : public testing::Test {
+class HabitsTest : public WindowTest {
  protected:
-  void SetUp() override {
-    make_sample_recording(path_);
-    window_ = shown_window();
-  }
-  void open() {
-    window_->open_recording(path_);
-    window_->replay().wait();
-    QApplication::processEvents();
-  }
+  void SetUp() override { make_sample_recording(path_); }
+  void open() { WindowTest::open(path_); }
   std::string exported(const char* name) {
     const auto file = folder_.path() / name;
     window_->export_to(file);
@@ -44,9 +35,7 @@ class HabitsTest : public testing::Test {
     return file.string();
   }
 
-  TemporaryFolder folder_;
   std::filesystem::path path_ = folder_.path() / "sample";
-  std::unique_ptr<MainWindow> window_;
 };
 
 TEST_F(HabitsTest, ExportsThePageAndTheRecordingBehindIt) {

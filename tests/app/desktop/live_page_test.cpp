@@ -36,11 +36,6 @@ const std::filesystem::path& recorded_rig() {
   return file;
 }
 
-/// Layouts within layouts take a few rounds.
-void settle() {
-  QTest::qWait(50);
-}
-
 void click(MainWindow& window, const char* name) {
   auto* button = window.findChild<QPushButton*>(QString::fromLatin1(name));
   ASSERT_NE(button, nullptr) << name;

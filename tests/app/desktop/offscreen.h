@@ -7,6 +7,7 @@
 
 #include "app/desktop/main_window.h"
 #include "app/desktop/qt_messages.h"
+#include "app/desktop/replay/replay_page.h"
 
 namespace searig::app::desktop {
 
@@ -17,8 +18,8 @@ inline QApplication& offscreen_application() {
     static int count = 1;
     static char name[] = "desktop_test";
     static char* words[] = {name, nullptr};
-    auto* application = new QApplication(count, words);  // Qt's statics may go before ours
     qInstallMessageHandler(drop_noise);
+    auto* application = new QApplication(count, words);  // Qt's statics may go before ours
     Theme(false).apply(*application);
     return application;
   }();
@@ -36,10 +37,17 @@ inline std::unique_ptr<MainWindow> shown_window(bool dark = false) {
   return window;
 }
 
-/// For whoever looks at them: into the folder that SEARIG_PICTURES names, if it does.
+/// Layouts within layouts take a few rounds.
+inline void settle() {
+  for (int pass = 0; pass < 4; ++pass) QApplication::processEvents();
+}
+
+/// For whoever looks at them, and for docs/img: into the folder that SEARIG_PICTURES names.
 inline void keep_picture(QWidget& window, const char* name) {
   const QString folder = qEnvironmentVariable("SEARIG_PICTURES");
-  if (!folder.isEmpty()) window.grab().save(folder + "/desktop-" + name + ".png");
+  if (folder.isEmpty()) return;
+  settle();
+  window.grab().save(folder + "/desktop-" + name + ".png");
 }
 
 /// Lets the window live until something is so, at most that long.
