@@ -117,7 +117,27 @@ class Accountant {
     search_.learn_noise(out_.final.hypothesis);
     out_.final = search_.score(out_.final.hypothesis);
     for (int changes = 0; changes < most_changes; ++changes)
-      if (!change_one() && !drop_misleading_atom()) return;
+      if (!change_one() && !drop_dwarfed() && !drop_misleading_atom()) break;
+    const double largest = largest_assessed();
+    for (Assessment& a : out_.assessments) a.probability *= beyond_form(a.rho / largest);
+  }
+
+  double largest_assessed() const {
+    double largest = 0.0;
+    for (const Assessment& a : out_.assessments) largest = std::max(largest, a.rho);
+    return largest;
+  }
+
+  /// A piece that is small beside another one is what the other's form leaves over. The search
+  /// could not see that while the largest was still to be found and all else counted as noise.
+  bool drop_dwarfed() {
+    const auto& all = out_.assessments;
+    const auto least = std::ranges::min_element(all, {}, &Assessment::rho);
+    if (least == all.end() ||
+        least->rho >= search_.criteria().least_of_largest * largest_assessed())
+      return false;
+    out_.final = search_.score(Hypothesis(least->without));
+    return true;
   }
 
   bool drop_misleading_atom() {

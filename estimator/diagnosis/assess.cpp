@@ -38,6 +38,10 @@ double existence(double gain, double rho) {
   return from_gain * from_size;
 }
 
+double beyond_form(double share) {
+  return 1.0 / (1.0 + std::exp(-(share - 0.045) / 0.01));
+}
+
 Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t piece) {
   Assessment out;
   out.piece = piece;

@@ -26,4 +26,8 @@ Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t
 /// Chance that a term is there at all, from what it gains and its size over the noise.
 double existence(double gain, double rho);
 
+/// Chance that a term is more than what another one leaves over because nature's form of that is
+/// not the catalogue's; `share` is its size over that of the largest term.
+double beyond_form(double share);
+
 }  // namespace searig::estimator
