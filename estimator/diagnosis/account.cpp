@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "estimator/diagnosis/episode.h"
 #include "estimator/diagnosis/heldout.h"
 #include "estimator/diagnosis/refine.h"
 #include "estimator/physics/catalogue.h"
@@ -58,11 +59,13 @@ class Accountant {
     const Scored named = search_.add_named(out_.base, trail);
     out_.final = named;
     const Step& last = trail.back();
+    // A named effect that is too small to assert, yet fits as well, is the likelier remainder.
+    const auto likelier = std::ranges::find_if(
+        last.named, [&](const Contender& c) { return search_.predicts(c, last.before); });
     const bool rest_has_no_name =
         !last.unnamed.empty() && search_.stands_out(last.unnamed.front(), last.before) &&
-        // A named effect that is too small to assert, yet fits as well, is the likelier remainder.
-        (last.named.empty() || last.unnamed.front().gain > 1.1 * last.named.front().gain);
-    if (!rest_has_no_name) return;
+        (likelier == last.named.end() || last.unnamed.front().gain > 1.1 * likelier->gain);
+    if (!rest_has_no_name) return add_episode();
     // Something without a name is there. Did it push a wrong name forward? Let both kinds compete
     // from the start, and keep whichever account is the better one.
     tell_("something is left that has no name", 0.35);
@@ -74,6 +77,14 @@ class Accountant {
     const bool predicts = worse_by(bench_, rivals.hypothesis, beside.hypothesis) <= tolerance;
     out_.final = fits_better && predicts ? rivals : beside;
     refine_atoms();
+  }
+
+  void add_episode() {
+    if (!bench_.method().looks_for_nameless) return;
+    const auto episode = lasting_episode(bench_, out_.final.hypothesis);
+    if (!episode) return;
+    out_.moved_atoms.push_back(*episode);
+    out_.final.hypothesis.push_back({nullptr, {}, &out_.moved_atoms.back()});
   }
 
   /// Atoms come from a coarse grid of places; what they tell is where.

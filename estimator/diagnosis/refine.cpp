@@ -51,12 +51,14 @@ struct Window {
 Window best_window(const Eigen::VectorXd& moment, const Eigen::MatrixXd& product, bool to_the_end) {
   Window best;
   for (int first = to_the_end ? 1 : 0; first < time_cells; ++first) {
-    double m = 0.0, p = 0.0;
+    double m = 0.0, p = 0.0, own = 0.0;
     for (int cell = first; cell < time_cells; ++cell) {
       m += moment[cell];
+      own += product(cell, cell);
       p += product(cell, cell) + 2.0 * product.col(cell).segment(first, cell - first).sum();
       const bool last = cell + 1 == time_cells;
-      if (p <= 0.0 || last != to_the_end) continue;
+      // What is left of a window that the rest of the hypothesis spans is rounding.
+      if (p <= 1e-6 * own || last != to_the_end) continue;
       if (const double gain = m * m / p; gain > best.gain) best = {first, cell + 1, gain};
     }
   }

@@ -126,7 +126,10 @@ bool Search::passes(const Contender& c, const Scored& from) {
   if (c.gain < (atom ? criteria_.least_unnamed_gain : criteria_.least_gain)) return false;
   if (strength(bench_, from, c.scored) < (atom ? criteria_.least_unnamed_rho : criteria_.least_rho))
     return false;
-  if (atom) return true;  // it may live in one block only, where no other block predicts it
+  return atom || predicts(c, from);  // an atom may live in one block, where no other predicts it
+}
+
+bool Search::predicts(const Contender& c, const Scored& from) const {
   const auto blocks = bench_.blocks();
   const Fit with = bench_.fit(c.scored.hypothesis), without = bench_.fit(from.hypothesis);
   return heldout_sse(with.free_columns, with.free_right, blocks) <

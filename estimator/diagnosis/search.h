@@ -73,6 +73,9 @@ class Search {
   /// Whether the contender is strong enough to be asserted.
   bool passes(const Contender& contender, const Scored& from);
 
+  /// Whether blocks that a fit has not seen are the better for it.
+  bool predicts(const Contender& contender, const Scored& from) const;
+
   /// The same for an atom; small remains of what other terms explain do not count.
   bool stands_out(const Contender& contender, const Scored& from);
 

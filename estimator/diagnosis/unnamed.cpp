@@ -96,10 +96,10 @@ class Collector {
 
   /// Something that lasts for a while only.
   void episodes(Path path, int count, const Array& carrier) {
-    const double width = m_.t.back() / count;
+    const double end = m_.t.back();
     for (int i = 0; i < count; ++i)
-      add("something that happens only for a while", path, "time_s", i * width, (i + 1) * width,
-          [&m = m_, carrier](double from, double to) -> Eigen::VectorXd {
+      add("something that happens only for a while", path, "time_s", end * i / count,
+          end * (i + 1) / count, [&m = m_, carrier](double from, double to) -> Eigen::VectorXd {
             const auto t = as_array(m.t);
             return (t > from && t <= to).select(carrier, 0.0).matrix();
           });
@@ -194,9 +194,28 @@ void at_the_loadcell(const Motion& m, Collector& c) {
   c.shaped("drag at the output", Path::rig, "output_velocity_rad_s", m.w_o, w_o * w_o.abs());
   c.bumps(m.q_o, "output_angle_rad", Path::rig, 8);
   c.waves(m.q_o, "output_angle_rad", Path::rig, 6, {}, 2.0);
+  c.waves(m.q_o, "output_angle_rad", Path::rig, 6, smooth_sign(m.w_o), 0.5);
 }
 
 }  // namespace
+
+std::vector<Atom> whole_episodes(const Motion& m) {
+  std::vector<Atom> out;
+  Collector collector(m, out);
+  const Array always = Array::Ones(Eigen::Index(m.size()));
+  if (m.has_spring())
+    for (const auto& [path, carrier] : {std::pair{Path::spring, Array(as_array(m.theta))},
+                                        {Path::rig, always},
+                                        {Path::rig, Array(as_array(m.spring_nm))}})
+      collector.episodes(path, 1, carrier);
+  // A motor that gives less shows where the spring is loaded; the current itself would be a way to
+  // shrink both sides of the drive's equation.
+  if (m.has_drive())
+    for (const Array& carrier :
+         {always, Array((as_array(m.w) / m.smoothing_rad_s).tanh()), Array(as_array(m.spring_nm))})
+      collector.episodes(Path::drive, 1, carrier);
+  return out;
+}
 
 std::vector<Atom> unnamed_atoms(const Motion& motion) {
   std::vector<Atom> out;

@@ -1,0 +1,73 @@
+#include "estimator/diagnosis/episode.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "estimator/diagnosis/refine.h"
+#include "estimator/diagnosis/unnamed.h"
+
+namespace searig::estimator {
+namespace {
+
+constexpr double least_share = 0.33;   // of the power of a residual
+constexpr double least_gain = 60.0;    // in deviance; as of any atom
+constexpr double longest_share = 0.6;  // of the recording: beyond, it is the rest that is special
+
+/// Noise without a memory, as loud as what the hypothesis leaves.
+Bench without_memory(const Bench& bench, const Hypothesis& hypothesis) {
+  const Experiment& e = bench.experiment();
+  Bench out = bench;
+  out.set_noise(
+      Whitening(e, bench.raw_residual(hypothesis, bench.fit(hypothesis)).head(e.rows()), false));
+  return out;
+}
+
+struct Left {
+  Eigen::VectorXd residual;  // in N*m
+  std::vector<bool> usable;
+
+  double power() const {
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < residual.size(); ++i)
+      if (usable[std::size_t(i)]) sum += residual[i] * residual[i];
+    return sum;
+  }
+  /// -2 log likelihood under the noise that makes it likeliest, up to constants.
+  double badness() const {
+    const double rows = double(std::ranges::count(usable, true));
+    return 2.0 * rows * std::log(fit_autoregression(residual, usable, Whitening::order).sd);
+  }
+};
+
+/// What a hypothesis leaves of the load cell's rows, or of the drive's.
+Left left_by(const Bench& bench, const Hypothesis& hypothesis, bool drive) {
+  const Experiment& e = bench.experiment();
+  const Eigen::Index from = drive ? e.loadcell_rows() : 0,
+                     to = drive ? e.rows() : e.loadcell_rows();
+  return {bench.raw_residual(hypothesis, bench.fit(hypothesis)).segment(from, to - from),
+          {e.usable.begin() + from, e.usable.begin() + to}};
+}
+
+}  // namespace
+
+std::optional<Atom> lasting_episode(const Bench& bench, const Hypothesis& hypothesis) {
+  const Bench plain = without_memory(bench, hypothesis);
+  const double end_s = bench.experiment().motion.t.back();
+  std::optional<Atom> best;
+  double most = least_gain;
+  std::vector<Atom> candidates = whole_episodes(bench.experiment().motion);
+  for (Atom& atom : candidates) {  // where they lie the bench knows them by
+    atom = refined(plain, hypothesis, atom);
+    if (atom.to - atom.from > longest_share * end_s) continue;
+    const bool drive = atom.path == Path::drive;
+    Hypothesis with = hypothesis;
+    with.push_back({nullptr, {}, &atom});
+    const Left before = left_by(plain, hypothesis, drive), after = left_by(plain, with, drive);
+    if (before.power() - after.power() < least_share * before.power()) continue;
+    const double gain = before.badness() - after.badness();
+    if (gain > most) most = gain, best = atom;
+  }
+  return best;
+}
+
+}  // namespace searig::estimator
