@@ -127,10 +127,25 @@ class Accountant {
   void judge() {
     search_.learn_noise(out_.final.hypothesis);
     out_.final = search_.score(out_.final.hypothesis);
-    for (int changes = 0; changes < most_changes; ++changes)
-      if (!change_one() && !drop_dwarfed() && !drop_misleading_atom()) break;
+    change_while_needed();
+    if (names_came_first_ && add_what_stands_out()) change_while_needed();
     const double largest = largest_assessed();
     for (Assessment& a : out_.assessments) a.probability *= beyond_form(a.rho / largest);
+  }
+
+  void change_while_needed() {
+    for (int changes = 0; changes < most_changes; ++changes)
+      if (!change_one() && !drop_dwarfed() && !drop_misleading_atom()) return;
+  }
+
+  /// Names that predict better than what stood beside them need not explain all of it.
+  bool add_what_stands_out() {
+    names_came_first_ = false, atoms_stay_ = true;
+    const Scored with = search_.add_unnamed(out_.final, 1);
+    if (with.hypothesis.size() == out_.final.hypothesis.size()) return false;
+    out_.final = with;
+    refine_atoms();
+    return true;
   }
 
   double largest_assessed() const {
@@ -177,7 +192,7 @@ class Accountant {
         continue;
       }
       if (const auto alone = stronger_alone(a))
-        out_.final = *alone;
+        out_.final = *alone, names_came_first_ = true;
       else
         out_.final = a.better ? *a.better : search_.score(a.without);
       return true;
@@ -190,7 +205,8 @@ class Accountant {
   std::optional<Scored> stronger_alone(const Assessment& a) {
     Hypothesis named = out_.final.hypothesis;
     const auto is_atom = [](const Piece& p) { return p.atom != nullptr; };
-    if (std::erase_if(named, is_atom) == 0 || worse_by(bench_, named, a.without) > -tolerance)
+    if (atoms_stay_ || std::erase_if(named, is_atom) == 0 ||
+        worse_by(bench_, named, a.without) > -tolerance)
       return std::nullopt;
     return search_.score(named);
   }
@@ -208,6 +224,7 @@ class Accountant {
   Search& search_;
   const Model& given_;
   const Tell& tell_;
+  bool names_came_first_ = false, atoms_stay_ = false;
   Account out_;
 };
 
