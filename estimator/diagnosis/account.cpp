@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "estimator/diagnosis/episode.h"
 #include "estimator/diagnosis/heldout.h"
+#include "estimator/diagnosis/lasting_change.h"
 #include "estimator/diagnosis/refine.h"
 #include "estimator/physics/catalogue.h"
 
@@ -65,7 +65,7 @@ class Accountant {
     const bool rest_has_no_name =
         !last.unnamed.empty() && search_.stands_out(last.unnamed.front(), last.before) &&
         (likelier == last.named.end() || last.unnamed.front().gain > 1.1 * likelier->gain);
-    if (!rest_has_no_name) return add_episode();
+    if (!rest_has_no_name) return add_lasting_change();
     // Something without a name is there. Did it push a wrong name forward? Let both kinds compete
     // from the start, and keep whichever account is the better one.
     tell_("something is left that has no name", 0.35);
@@ -79,11 +79,11 @@ class Accountant {
     refine_atoms();
   }
 
-  void add_episode() {
+  void add_lasting_change() {
     if (!bench_.method().looks_for_nameless) return;
-    const auto episode = lasting_episode(bench_, out_.final.hypothesis);
-    if (!episode) return;
-    out_.moved_atoms.push_back(*episode);
+    const auto change = lasting_change(bench_, out_.final.hypothesis);
+    if (!change) return;
+    out_.moved_atoms.push_back(*change);
     out_.final.hypothesis.push_back({nullptr, {}, &out_.moved_atoms.back()});
   }
 

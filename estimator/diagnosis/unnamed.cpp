@@ -199,21 +199,25 @@ void at_the_loadcell(const Motion& m, Collector& c) {
 
 }  // namespace
 
-std::vector<Atom> whole_episodes(const Motion& m) {
+std::vector<Atom> lasting_changes(const Motion& m) {
   std::vector<Atom> out;
   Collector collector(m, out);
-  const Array always = Array::Ones(Eigen::Index(m.size()));
-  if (m.has_spring())
-    for (const auto& [path, carrier] : {std::pair{Path::spring, Array(as_array(m.theta))},
-                                        {Path::rig, always},
-                                        {Path::rig, Array(as_array(m.spring_nm))}})
-      collector.episodes(path, 1, carrier);
+  const Array always = Array::Ones(Eigen::Index(m.size())), torque = as_array(m.spring_nm);
+  const auto add = [&](Path path, const Array& carrier) {
+    collector.events("something changes", path, carrier, 2);
+  };
+  if (m.has_spring()) {
+    add(Path::spring, as_array(m.theta));
+    add(Path::rig, always);
+    add(Path::rig, torque);
+  }
   // A motor that gives less shows where the spring is loaded; the current itself would be a way to
   // shrink both sides of the drive's equation.
-  if (m.has_drive())
-    for (const Array& carrier :
-         {always, Array((as_array(m.w) / m.smoothing_rad_s).tanh()), Array(as_array(m.spring_nm))})
-      collector.episodes(Path::drive, 1, carrier);
+  if (m.has_drive()) {
+    add(Path::drive, always);
+    add(Path::drive, (as_array(m.w) / m.smoothing_rad_s).tanh());
+    add(Path::drive, torque);
+  }
   return out;
 }
 

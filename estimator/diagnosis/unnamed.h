@@ -11,7 +11,7 @@ namespace searig::estimator {
 /// The atoms keep a reference to the motion.
 std::vector<Atom> unnamed_atoms(const Motion& motion);
 
-/// What may happen for a while, as if it went on throughout: of each kind one, to be refined.
-std::vector<Atom> whole_episodes(const Motion& motion);
+/// What may change, for good or for a while: of each kind one, half-way, for refined() to place.
+std::vector<Atom> lasting_changes(const Motion& motion);
 
 }  // namespace searig::estimator

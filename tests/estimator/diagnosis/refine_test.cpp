@@ -42,6 +42,21 @@ TEST(Place, OfALoadCellThatReadsTooLittleForAWhile) {
   EXPECT_NEAR(place[0].second, 18.9, 0.4);
 }
 
+/// Noise that is learnt with the while inside has a long memory, under which nothing slow stands
+/// out.
+TEST(Place, OfDryFrictionThatComesAndGoes) {
+  Signals s = rig.record();
+  for (std::size_t i = 0; i < s.module.t_s.size(); ++i) {
+    const double t = s.module.t_s[i];
+    const double w = SimulatedActuator::deflection(t).rate + SimulatedActuator::output(t).rate;
+    if (t > 10.3 && t < 15.9) s.module.current_a[i] += 0.02 / rig.gain * std::tanh(w / 0.01);
+  }
+  const auto place = place_of(s);
+  ASSERT_EQ(place.size(), 1u);
+  EXPECT_NEAR(place[0].first, 10.3, 0.2);
+  EXPECT_NEAR(place[0].second, 15.9, 0.2);
+}
+
 TEST(Place, OfAZeroThatJumpsForGood) {
   Signals s = rig.record();
   for (std::size_t i = 0; i < s.loadcell.t_s.size(); ++i)

@@ -1,4 +1,4 @@
-#include "estimator/diagnosis/episode.h"
+#include "estimator/diagnosis/lasting_change.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,15 +50,15 @@ Left left_by(const Bench& bench, const Hypothesis& hypothesis, bool drive) {
 
 }  // namespace
 
-std::optional<Atom> lasting_episode(const Bench& bench, const Hypothesis& hypothesis) {
+std::optional<Atom> lasting_change(const Bench& bench, const Hypothesis& hypothesis) {
   const Bench plain = without_memory(bench, hypothesis);
   const double end_s = bench.experiment().motion.t.back();
   std::optional<Atom> best;
   double most = least_gain;
-  std::vector<Atom> candidates = whole_episodes(bench.experiment().motion);
+  std::vector<Atom> candidates = lasting_changes(bench.experiment().motion);
   for (Atom& atom : candidates) {  // where they lie the bench knows them by
     atom = refined(plain, hypothesis, atom);
-    if (atom.to - atom.from > longest_share * end_s) continue;
+    if (!atom.at_once && atom.to - atom.from > longest_share * end_s) continue;
     const bool drive = atom.path == Path::drive;
     Hypothesis with = hypothesis;
     with.push_back({nullptr, {}, &atom});
