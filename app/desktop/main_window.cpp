@@ -14,9 +14,9 @@
 #include <utility>
 
 #include "app/desktop/diagnose/diagnose_page.h"
-#include "app/desktop/exports.h"
 #include "app/desktop/help.h"
 #include "app/desktop/live/live_page.h"
+#include "app/desktop/replay/history_view.h"
 #include "app/desktop/replay/replay_page.h"
 #include "app/desktop/work_bar.h"
 
@@ -102,9 +102,14 @@ QString MainWindow::notice() const {
 }
 
 void MainWindow::open_recording(const std::filesystem::path& recording) {
+  open_recording(recording, {});
+}
+
+void MainWindow::open_recording(const std::filesystem::path& recording, const QString& view) {
   tabs_->setCurrentWidget(replay_);
-  replay_->open(recording, [this, recording](std::shared_ptr<const Session> session) {
+  replay_->open(recording, [=, this](std::shared_ptr<const Session> session) {
     diagnose_->choose(std::move(session));
+    replay_->take_view(view);
     store_.add_recent(QString::fromStdString(std::filesystem::absolute(recording).string()));
     list_recent();
   });
@@ -122,6 +127,16 @@ void MainWindow::use_model(const std::filesystem::path& model_file) {
   diagnose_->use_model(model_file);
 }
 
+bool MainWindow::lead(const estimator::PlannedMotion& motion) {
+  if (!live_->lead(motion)) return false;
+  tabs_->setCurrentWidget(live_);
+  return true;
+}
+
+void MainWindow::mark_mismatch(const std::vector<Interval>& intervals) {
+  replay_->view().shade(intervals, QStringLiteral("what the model misses shows most here"));
+}
+
 void MainWindow::continue_session(SessionStore store) {
   store_ = std::move(store);
   restoreGeometry(store_.geometry());
@@ -134,11 +149,12 @@ void MainWindow::reopen_last() {
   const QStringList recent = store_.recent();
   if (recent.isEmpty() || !std::filesystem::exists(recent.front().toStdString())) return;
   const QString page = page_in_front().name().toLower();
-  open_recording(recent.front().toStdString());
+  open_recording(recent.front().toStdString(), store_.view());
   show_page(page);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  store_.keep_view(replay_->view_in_words());
   store_.keep_window(saveGeometry(), page_in_front().name().toLower(), theme_.dark());
   QMainWindow::closeEvent(event);
 }
@@ -150,55 +166,6 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
   const auto urls = event->mimeData()->urls();
   if (!urls.isEmpty()) open_recording(recording_at(urls.front().toLocalFile()));
-}
-
-void MainWindow::choose_export(const QString& kind, const QString& ending) {
-  const QString caption = page_in_front().caption();
-  const QString name = (caption.isEmpty() ? QStringLiteral("searig") : caption) + ending;
-  QString file = QFileDialog::getSaveFileName(this, QStringLiteral("Export"), name,
-                                              QStringLiteral("%1 (*%2)").arg(kind, ending));
-  if (file.isEmpty()) return;
-  if (!file.endsWith(ending)) file += ending;
-  export_to(file.toStdString());
-}
-
-void MainWindow::export_to(const std::filesystem::path& file) {
-  const QString done = QStringLiteral("Written: %1").arg(QString::fromStdString(file.string()));
-  const auto session = replay_->session();
-  const ExportKind kind = export_kind(file);
-  try {
-    switch (kind) {
-      case ExportKind::picture:
-        save_picture(page_in_front(), file);
-        return say(done);
-      case ExportKind::drawing:
-        save_drawing(page_in_front(), file);
-        return say(done);
-      case ExportKind::report:
-        diagnose_->save_report(file);
-        return say(done);
-      case ExportKind::none:
-        return say(QStringLiteral("%1: end the name with .png, .svg, .csv, .mat, .h5 or .html.")
-                       .arg(QString::fromStdString(file.string())));
-      default:
-        break;
-    }
-  } catch (const std::exception& error) {
-    return say(QString::fromUtf8(error.what()));
-  }
-  if (!session) return say(QStringLiteral("Open a recording first, with Ctrl+O."));
-  say({});
-  work_->start(
-      QStringLiteral("Writing %1").arg(QString::fromStdString(file.filename().string())),
-      [=, this, path = session->recording.path](const WorkBar::Progress&) -> std::function<void()> {
-        save_recording(path, kind, file);
-        return [=, this] { say(done); };
-      },
-      [this](const QString& why) { say(why); });
-}
-
-void MainWindow::wait_for_export() {
-  work_->wait();
 }
 
 void MainWindow::set_dark(bool dark) {

@@ -34,6 +34,8 @@ class MainWindow : public QMainWindow, private Shell {
   Page& page_in_front() const;
   void open_recording(const std::filesystem::path& recording) override;
   void use_model(const std::filesystem::path& model_file) override;
+  bool lead(const estimator::PlannedMotion& motion) override;
+  void mark_mismatch(const std::vector<Interval>& intervals) override;
   void set_theme(const Theme& theme);
   void set_dark(bool dark);  ///< the whole program
 
@@ -55,6 +57,7 @@ class MainWindow : public QMainWindow, private Shell {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  void open_recording(const std::filesystem::path& recording, const QString& view);
   void make_file_menu();
   void make_export_menu(QMenu& menu);
   void make_view_menu();

@@ -4,8 +4,11 @@
 #include <QString>
 #include <QWidget>
 #include <filesystem>
+#include <vector>
 
 #include "app/desktop/theme.h"
+#include "app/report/plot.h"
+#include "estimator/model/planned_motion.h"
 
 class QAction;
 class QKeySequence;
@@ -21,6 +24,11 @@ class Shell {
   virtual void open_recording(const std::filesystem::path& recording) = 0;
   /// From now on the model that recordings are held against.
   virtual void use_model(const std::filesystem::path& model_file) = 0;
+  /// Where a diagnosis found the model of the opened recording wanting, seconds since its first
+  /// telemetry; nowhere where nothing is known.
+  virtual void mark_mismatch(const std::vector<Interval>& intervals) = 0;
+  /// To Live, which leads through a motion; false where no rig is connected.
+  virtual bool lead(const estimator::PlannedMotion& motion) = 0;
   /// The caption of a page has changed.
   virtual void caption_changed() = 0;
 };
@@ -44,6 +52,9 @@ class Page : public QWidget {
  protected:
   /// An action in the menu; the key is shown beside it.
   QAction* add_action(const char* words, const QKeySequence& key);
+  /// A field that keys go into until Return or Escape, which lead back to the page.
+  void hold_keys(QWidget& field);
+  bool eventFilter(QObject* field, QEvent* event) override;
   Shell& shell() const { return shell_; }
 
  private:

@@ -11,6 +11,7 @@ constexpr int most_recent = 9;  // what keys 1 to 9 reach
 const auto geometry_key = QStringLiteral("window/geometry");
 const auto page_key = QStringLiteral("window/page");
 const auto dark_key = QStringLiteral("window/dark");
+const auto view_key = QStringLiteral("recordings/view");
 const auto recent_key = QStringLiteral("recordings/recent");
 
 }  // namespace
@@ -42,6 +43,14 @@ QString SessionStore::page() const {
 std::optional<bool> SessionStore::dark() const {
   if (!file_ || !file_->contains(dark_key)) return std::nullopt;
   return file_->value(dark_key).toBool();
+}
+
+QString SessionStore::view() const {
+  return file_ ? file_->value(view_key).toString() : QString();
+}
+
+void SessionStore::keep_view(const QString& view) {
+  if (file_) file_->setValue(view_key, view);
 }
 
 void SessionStore::keep_window(const QByteArray& geometry, const QString& page, bool dark) {

@@ -30,6 +30,11 @@ class SessionStore {
   /// Recordings, the last one first.
   QStringList recent() const { return recent_; }
 
+  /// What of the last recording was in view: its range and the cursors, seconds; "low high a b"
+  /// with "-" for what there is not. Empty where nothing was kept.
+  QString view() const;
+  void keep_view(const QString& view);
+
   void keep_window(const QByteArray& geometry, const QString& page, bool dark);
   void add_recent(const QString& recording);
 

@@ -14,7 +14,8 @@ using Column = std::vector<double>;
 template <typename Columns, typename F>
 void for_groups(Columns& c, F f) {
   f(c.t_s, std::array{&c.torque_nm, &c.low_nm, &c.high_nm, &c.clock_low_nm, &c.clock_high_nm,
-                      &c.weight, &c.k_nm_per_rad, &c.k_low_nm_per_rad, &c.k_high_nm_per_rad});
+                      &c.weight, &c.k_nm_per_rad, &c.k_low_nm_per_rad, &c.k_high_nm_per_rad,
+                      &c.deflection_rad, &c.output_angle_rad});
   f(c.loadcell_t_s, std::array{&c.loadcell_nm});
   for (auto& residuals : c.residuals) f(residuals.t_s, std::array{&residuals.nm});
 }

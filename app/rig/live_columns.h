@@ -18,6 +18,8 @@ struct LiveColumns {
   std::vector<double> weight;                       ///< trust in the motor current, 0..1
   std::vector<double> k_nm_per_rad, k_low_nm_per_rad, k_high_nm_per_rad;
 
+  std::vector<double> deflection_rad, output_angle_rad;  ///< NaN where it is not told
+
   std::vector<double> loadcell_t_s, loadcell_nm;
 
   struct Residuals {

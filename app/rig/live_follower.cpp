@@ -96,6 +96,9 @@ void LiveFollower::take_estimate(const estimator::OnlineEstimate& e, LiveColumns
   out.k_nm_per_rad.push_back(e.k_nm_per_rad);
   out.k_low_nm_per_rad.push_back(k ? k->low : unknown);
   out.k_high_nm_per_rad.push_back(k ? k->high : unknown);
+  const auto& output_rad = signals_.signals().module.output_angle_rad;
+  out.deflection_rad.push_back(e.deflection_rad);
+  out.output_angle_rad.push_back(output_rad.empty() ? unknown : output_rad[sample]);
 }
 
 estimator::Regime LiveFollower::regime_at(std::size_t sample, double torque_nm) {

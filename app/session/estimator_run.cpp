@@ -69,17 +69,26 @@ double start_of(const Session& session) {
   return t_s.empty() ? 0.0 : t_s.front();
 }
 
+RegimeResiduals residuals_of(const Session& session, const History& history) {
+  ResidualFinder finder(session.signals);
+  const double start_s = start_of(session);
+  for (std::size_t i = 0; i < history.estimated_nm.size(); ++i)
+    finder.push(start_s + history.t_s[i], history.estimated_nm[i]);
+  return finder.finish();
+}
+
 EstimatorRun simulation_of(const Session& session, const RunSettings& settings,
                            const std::optional<estimator::Model>& model) {
   if (!model) throw about(session, "has no model to simulate; choose a model file");
   auto torques = estimator::predict(*model, session.signals.module);
   if (torques.loadcell_nm.empty())
     throw about(session, "lacks the channels that the model's spring needs");
-  EstimatorRun run{settings, {}, {}};
+  EstimatorRun run{settings, {}, {}, {}};
   run.history.set_measured(session.signals.loadcell, start_of(session));
   run.history.t_s = since_start(session.signals.module);
   run.history.estimated_nm = std::move(torques.loadcell_nm);
   run.history.current_nm = std::move(torques.drive_nm);
+  run.residuals = residuals_of(session, run.history);
   return run;
 }
 
@@ -127,24 +136,30 @@ EstimatorRun run_estimator(const Session& session, const RunSettings& settings,
     run.history.estimated_from = words_for(settings);
     return run;
   }
-  EstimatorRun run{settings, {}, {}};
+  EstimatorRun run{settings, {}, {}, {}};
   const double start_s = start_of(session);
   const bool gives = watch && settings.kind == RunKind::online;
+  ResidualFinder residuals(session.signals);
   const auto evaluation = evaluate_session(
       session, model, {.initial_k_nm_per_rad = settings.initial_k_nm_per_rad},
       {.track =
            [&](auto track) {
              History more;
-             for (const auto& estimate : track)
+             for (const auto& estimate : track) {
                (gives ? more : run.history).append(estimate, start_s);
+               residuals.push(estimate.t_s, estimate.torque_nm);
+             }
              if (watch) watch(std::move(more));
            },
        .pass = make_ahead<estimator::DrivenRows, estimator::Watch::Make, estimator::Watch::Give>});
   run.remark = remarks(evaluation.notes);
-  if (evaluation.online)
+  if (evaluation.online) {
     run.history.set_measured(session.signals.loadcell, start_s);
-  else
+    run.residuals = residuals.finish();
+  } else {
     run.history = history_of(session.signals, evaluation);
+    run.residuals = residuals_of(session, run.history);
+  }
   if (settings.kind == RunKind::online) return run;
   if (!evaluation.online) throw about(session, "has no online estimate, so none of several states");
   try {
@@ -153,6 +168,7 @@ EstimatorRun run_estimator(const Session& session, const RunSettings& settings,
   } catch (const std::invalid_argument& error) {
     throw about(session, error.what());
   }
+  run.residuals = residuals_of(session, run.history);
   run.history.estimated_from = words_for(settings);
   return run;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/rig/history.h"
+#include "app/session/regime_residuals.h"
 #include "app/session/session.h"
 
 namespace searig::app {
@@ -40,6 +41,7 @@ std::string words_for(const RunSettings& settings);
 struct EstimatorRun {
   RunSettings settings;
   History history;
+  RegimeResiduals residuals;
   std::string remark;  ///< what could not be estimated, in sentences; else empty
 };
 

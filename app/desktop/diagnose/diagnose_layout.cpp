@@ -62,6 +62,8 @@ DiagnosePage::DiagnosePage(Shell& shell)
   connect(next_, &QPushButton::clicked, this, [this] { turn_to_experiment(); });
   connect(report_, &QPushButton::clicked, this, [this] { write_report(); });
   guided_->on_close([this] { turn_to_experiment(); });
+  guided_->on_start(
+      [this](const estimator::PlannedMotion& motion) { return this->Page::shell().lead(motion); });
   guided_->on_save([this] { save_experiment(); });
   work_->on_change([this] { follow_state(); });
   show_result(nullptr);

@@ -44,6 +44,8 @@ class DiagnosePage : public Page {
   void set_theme(const Theme& theme) override;
 
  private:
+  enum class Left { differences, experiment };  ///< pages of left_
+
   void make_actions();
   void make_layout();
   QWidget* make_right_side();

@@ -64,7 +64,7 @@ GuidedMotion::GuidedMotion(QWidget* parent)
   timer_.setInterval(frame_ms);
   connect(&timer_, &QTimer::timeout, this,
           [this] { show_time(1e-3 * double(since_start_.elapsed())); });
-  connect(start_, &QPushButton::clicked, this, [this] { running() ? stop() : start(); });
+  connect(start_, &QPushButton::clicked, this, [this] { toggle(); });
 }
 
 void GuidedMotion::show_motion(const estimator::PlannedMotion& motion, const QString& why) {
@@ -76,8 +76,9 @@ void GuidedMotion::show_motion(const estimator::PlannedMotion& motion, const QSt
   steps_->setText(
       QStringLiteral("1. Go to Live (Ctrl+1), connect and begin to record.<br>"
                      "2. %1<br>"
-                     "3. Come back, press Space, and lead the module along the blue target; or "
-                     "save the motion and let the rig's controller follow it.<br>"
+                     "3. Come back and press Space: Live then shows the target beside how the "
+                     "module moves, and you lead it along. Or save the motion and let the rig's "
+                     "controller follow it.<br>"
                      "4. End the recording, open it, and diagnose it with the extended model.")
           .arg(swings ? QStringLiteral("Let the lever swing along the orange target.")
                       : QStringLiteral("Lock the lever: only the spring is to move.")));
@@ -86,6 +87,11 @@ void GuidedMotion::show_motion(const estimator::PlannedMotion& motion, const QSt
   plot_->set_data(1, &target_.t_s, &target_.output_angle_rad);
   plot_->rename_curve(1, swings ? QStringLiteral("angle of the lever") : QString());
   stop();
+}
+
+void GuidedMotion::toggle() {
+  if (running()) return stop();
+  if (!lead_ || !lead_(motion_)) start();
 }
 
 void GuidedMotion::start() {

@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <functional>
+#include <utility>
 
 #include "app/desktop/theme.h"
 #include "estimator/model/planned_motion.h"
@@ -21,6 +22,11 @@ class GuidedMotion : public QWidget {
   explicit GuidedMotion(QWidget* parent);
 
   void show_motion(const estimator::PlannedMotion& motion, const QString& why);
+  /// Starts or stops. Whoever leads better (with the rig in view) does it instead, by true.
+  void toggle();
+  void on_start(std::function<bool(const estimator::PlannedMotion&)> lead) {
+    lead_ = std::move(lead);
+  }
   /// Counts down, then leads through the motion.
   void start();
   void stop();
@@ -34,6 +40,7 @@ class GuidedMotion : public QWidget {
  private:
   void say_target(double t_s);
 
+  std::function<bool(const estimator::PlannedMotion&)> lead_;
   estimator::PlannedMotion motion_;
   estimator::ModuleSignals target_;
   QElapsedTimer since_start_;

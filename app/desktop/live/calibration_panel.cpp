@@ -4,6 +4,7 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
@@ -57,10 +58,10 @@ CalibrationPanel::CalibrationPanel(QWidget* parent)
       mass_(new_number("mass", 0.0, 1000.0, 4, QStringLiteral(" kg"))),
       lever_arm_(new_number("calibrated lever arm", -10.0, 10.0, 4, QStringLiteral(" m"))),
       readings_(new QTableWidget(0, 4)),
-      read_(new_button("read", "Take reading")),
+      read_(new_button("read", "Take reading   Return")),
       forget_(new_button("forget", "Forget the last")),
       save_(new_button("save", "Save and use")),
-      leave_(new_button("leave", "Back")) {
+      leave_(new_button("leave", "Back   Esc")) {
   readings_->setHorizontalHeaderLabels({QStringLiteral("mass (kg)"), QStringLiteral("force (N)"),
                                         QStringLiteral("counts (–)"),
                                         QStringLiteral("residual (N)")});
@@ -105,6 +106,15 @@ void CalibrationPanel::begin(const std::filesystem::path& folder, double lever_a
   lever_arm_->setValue(lever_arm_m);
   mass_->setValue(0.0);
   fit();
+  mass_->setFocus();
+  mass_->selectAll();
+}
+
+void CalibrationPanel::keyPressEvent(QKeyEvent* event) {
+  const int key = event->key();
+  if (key == Qt::Key_Escape) return leave();
+  if ((key == Qt::Key_Return || key == Qt::Key_Enter) && read_->isEnabled()) return read_weight();
+  QWidget::keyPressEvent(event);
 }
 
 void CalibrationPanel::read_weight() {

@@ -31,6 +31,10 @@ class CalibrationPanel : public QWidget {
   /// What came since the last call; `rig` hangs the weights itself where it is simulated.
   void take(const LiveNews& news, RigSession& rig);
 
+ protected:
+  /// Return takes a reading, Escape leaves.
+  void keyPressEvent(QKeyEvent* event) override;
+
  private:
   void read_weight();
   void fit();

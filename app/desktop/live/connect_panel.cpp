@@ -150,6 +150,10 @@ RigOptions ConnectPanel::options() const {
   return options;
 }
 
+std::vector<QWidget*> ConnectPanel::fields() const {
+  return {loadcell_, module_, lever_arm_};
+}
+
 void ConnectPanel::show_state(State state) {
   for (QWidget* widget :
        std::initializer_list<QWidget*>{loadcell_, module_, lever_arm_, calibration_, model_})

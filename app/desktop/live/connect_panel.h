@@ -4,6 +4,7 @@
 #include <QGroupBox>
 #include <QTimer>
 #include <string>
+#include <vector>
 
 #include "app/rig/rig_session.h"
 
@@ -28,6 +29,8 @@ class ConnectPanel : public QGroupBox {
   /// While connected nothing can be chosen.
   enum class State { away, connecting, connected };
   void show_state(State state);
+  /// Into which keys go.
+  std::vector<QWidget*> fields() const;
   QPushButton* button() const { return button_; }
 
  private:

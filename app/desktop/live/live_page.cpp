@@ -1,6 +1,7 @@
 #include "app/desktop/live/live_page.h"
 
 #include <QAction>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -52,10 +53,16 @@ void LivePage::make_actions() {
                  [this] { connected() ? disconnect_rig() : connect_rig(); });
   record_action_ = add("&Record", QKeySequence(Qt::Key_R), [this] { toggle_recording(); });
   add("&Mark", QKeySequence(Qt::Key_M), [this] { mark(); });
+  add("&Name of the recording", QKeySequence(Qt::Key_N), [this] { record_->name()->setFocus(); });
+  add("N&otes kept in it", QKeySequence(int(Qt::SHIFT) | Qt::Key_N),
+      [this] { record_->notes_line()->setFocus(); });
+  for (QWidget* field : {record_->name(), record_->notes_line()}) hold_keys(*field);
+  for (QWidget* field : choice_->fields()) hold_keys(*field);
   QAction* open = add("&Open what was recorded in Replay", QKeySequence(Qt::Key_O), [this] {
     const RecordingStatus recorded = rig_ ? rig_->recording() : RecordingStatus{};
     if (!recorded.running && !recorded.file.empty()) this->shell().open_recording(recorded.file);
   });
+  add("&Take the target away", QKeySequence(Qt::Key_T), [this] { plots_->stop_leading(); });
   calibrate_ = add("Cali&brate the load cell…", QKeySequence(Qt::Key_C), [this] { calibrate(); });
   menu()->addSeparator();
   pause_ = add("&Pause (data go on)", QKeySequence(Qt::Key_Space),
@@ -147,6 +154,14 @@ void LivePage::toggle_recording() {
   } catch (const std::exception& error) {
     say(QString::fromUtf8(error.what()));
   }
+}
+
+bool LivePage::lead(const estimator::PlannedMotion& motion) {
+  if (!connected()) return false;
+  views_->setCurrentWidget(plots_);
+  plots_->lead(motion);
+  show_hint();
+  return true;
 }
 
 void LivePage::mark() {

@@ -43,6 +43,8 @@ class LivePage : public Page {
   /// A recording as it looked live, until_s after its start; nothing is connected.
   void show_as_live(const std::filesystem::path& recording, double until_s);
 
+  /// Leads through a motion while the rig is watched; false where there is none to watch.
+  bool lead(const estimator::PlannedMotion& motion);
   void toggle_recording();
   void mark();
   void calibrate();

@@ -92,7 +92,10 @@ void LivePage::make_layout() {
   layout->setSpacing(0);
   layout->addLayout(main, 1);
   layout->addWidget(side);
-  calibration_->leave = [this] { views_->setCurrentWidget(plots_); };
+  calibration_->leave = [this] {
+    views_->setCurrentWidget(plots_);
+    setFocus();
+  };
   calibration_->use = [this](const std::filesystem::path& file) {
     choice_->set_calibration(file.string());
     close_rig();
@@ -153,6 +156,12 @@ QString LivePage::next_step() const {
   if (!rig_) return {};
   const RecordingStatus recording = rig_->recording();
   if (views_->currentWidget() == calibration_) return {};  // which has its own steps
+  if (plots_->leading())
+    return recording.running
+               ? QStringLiteral(
+                     "Recording. Keep on the target where \"now\" stands; T takes it away.")
+               : QStringLiteral(
+                     "Keep on the target where \"now\" stands. Nothing is recorded: R records.");
   if (recording.running)
     return QStringLiteral("Recording. M marks what you see; R stops, a minute or two are enough.");
   if (!recording.file.empty() && recording.failure.empty())
@@ -163,7 +172,9 @@ QString LivePage::next_step() const {
 /// What was said last, for a while; then what there is to say of the data; then what to do.
 void LivePage::show_hint() {
   const bool holds = !rig_ || since_notice_.elapsed() < notice_ms;
-  QString words = holds && !notice_.isEmpty() ? notice_ : verdict_why_;
+  QString words = holds && !notice_.isEmpty() ? notice_
+                  : plots_->leading()         ? next_step()
+                                              : verdict_why_;
   if (words.isEmpty()) words = next_step();
   if (hint_->text() == words) return;
   hint_->setText(words);

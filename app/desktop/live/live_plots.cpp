@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/desktop/plot/regime_dots.h"
 #include "app/desktop/plot/time_plot.h"
 
 namespace searig::app::desktop {
@@ -12,8 +13,6 @@ namespace {
 constexpr double kept_s = 600.0, kept_paused_s = 3600.0;
 constexpr double forget_every_s = 20.0;  // letting go of data begins all plots anew
 enum Torque : std::size_t { by_clock, interval, measured, estimated, newest };
-constexpr std::array<Hue, 5> regime_hues{Hue::purple, Hue::blue, Hue::green, Hue::vermilion,
-                                         Hue::orange};
 
 }  // namespace
 
@@ -22,6 +21,7 @@ LivePlots::LivePlots(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
+  layout->addWidget(target_plot_, 10);
   layout->addWidget(torque_, 10);
   layout->addWidget(residual_, 6);
   layout->addWidget(weight_, 4);
@@ -32,6 +32,7 @@ LivePlots::LivePlots(QWidget* parent) : QWidget(parent) {
 }
 
 void LivePlots::make_plots() {
+  make_target();
   torque_ = new TimePlot(QStringLiteral("Torque"), QStringLiteral("torque (N·m)"), this);
   torque_->setObjectName(QStringLiteral("torque"));
   torque_->add_band(QStringLiteral("and what the clocks add"), Hue::orange, 0.35);
@@ -42,8 +43,7 @@ void LivePlots::make_plots() {
   residual_ =
       new TimePlot(QStringLiteral("Measured − estimated"), QStringLiteral("torque (N·m)"), this);
   residual_->setObjectName(QStringLiteral("residual"));
-  for (std::size_t i = 0; i < regime_hues.size(); ++i)
-    residual_->add_dots(QString::fromLatin1(estimator::regime_names[i]), regime_hues[i]);
+  add_regime_dots(*residual_);
   weight_ = new TimePlot(QStringLiteral("Trust in the motor current"), QStringLiteral("weight (–)"),
                          this);
   weight_->setObjectName(QStringLiteral("weight"));
@@ -63,8 +63,8 @@ void LivePlots::connect_columns() {
   torque_->set_band(interval, &c.t_s, &c.low_nm, &c.high_nm);
   torque_->set_data(measured, &c.loadcell_t_s, &c.loadcell_nm);
   torque_->set_data(estimated, &c.t_s, &c.torque_nm);
-  for (std::size_t i = 0; i < c.residuals.size(); ++i)
-    residual_->set_data(i, &c.residuals[i].t_s, &c.residuals[i].nm);
+  set_regime_dots(*residual_, c.residuals);
+  connect_target();
   weight_->set_data(0, &c.t_s, &c.weight);
   stiffness_->set_band(0, &c.t_s, &c.k_low_nm_per_rad, &c.k_high_nm_per_rad);
   stiffness_->set_data(1, &c.t_s, &c.k_nm_per_rad);
@@ -96,6 +96,7 @@ void LivePlots::draw() {
     if (!(top > 1.5 * k && top < 3.0 * k)) stiffness_->fix_y({0.0, std::max(1e-6, 2.0 * k)});
   }
   for (auto* plot : plots()) plot->show_range(range_);
+  if (leading()) draw_target();
 }
 
 void LivePlots::clear() {
@@ -105,6 +106,7 @@ void LivePlots::clear() {
   marks_.clear();
   now_s_ = 0.0;
   paused_ = false;
+  stop_leading();
   connect_columns();
   show_marks();
   draw();
@@ -154,6 +156,7 @@ void LivePlots::show_marks() {
 
 void LivePlots::set_theme(const Theme& theme) {
   for (auto* plot : plots()) plot->set_theme(theme);
+  target_plot_->set_theme(theme);
   show_marks();  // in the new colours
   draw();
 }

@@ -3,11 +3,13 @@
 
 #include <QWidget>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "app/desktop/theme.h"
 #include "app/report/plot.h"
 #include "app/rig/live_feed.h"
+#include "estimator/model/planned_motion.h"
 
 namespace searig::app::desktop {
 
@@ -29,6 +31,10 @@ class LivePlots : public QWidget {
   void move(double share);  ///< while paused
   void show_all();
   void mark(const std::string& words);
+  /// Shows a motion to follow, beside how the module moves: it begins after a countdown.
+  void lead(const estimator::PlannedMotion& motion);
+  void stop_leading();
+  bool leading() const { return lead_from_s_.has_value(); }
   void set_theme(const Theme& theme);
 
   const LiveColumns& columns() const { return columns_; }
@@ -38,6 +44,10 @@ class LivePlots : public QWidget {
   void make_plots();
   void connect_columns();
   void show_marks();
+  void make_target();
+  void connect_target();
+  void draw_target();
+  void make_room(bool for_target);
   std::vector<TimePlot*> plots() const { return {torque_, residual_, weight_, stiffness_}; }
 
   LiveColumns columns_;
@@ -46,7 +56,10 @@ class LivePlots : public QWidget {
   double now_s_ = 0.0, span_s_ = 20.0;
   bool paused_ = false;
   Range range_{0.0, 20.0};
-  TimePlot *torque_, *residual_, *weight_, *stiffness_;
+  std::optional<double> lead_from_s_;  ///< on the plots' time axis
+  double lead_s_ = 0.0;                ///< how long
+  estimator::ModuleSignals target_;    ///< likewise
+  TimePlot *target_plot_, *torque_, *residual_, *weight_, *stiffness_;
 };
 
 }  // namespace searig::app::desktop

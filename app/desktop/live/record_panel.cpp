@@ -16,17 +16,17 @@ RecordPanel::RecordPanel(QWidget* parent)
     : QGroupBox(QStringLiteral("Recording"), parent),
       folder_(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation).toStdString()),
       name_(new QLineEdit),
-      notes_(new QLineEdit),
+      notes_line_(new QLineEdit),
       status_(new QLabel),
       button_(new QPushButton),
       marker_(new QPushButton(QStringLiteral("Mark   M"))),
       open_(new QPushButton(QStringLiteral("Open in Replay   O"))) {
   folder_ /= "searig";
   name_->setObjectName(QStringLiteral("name"));
-  name_->setPlaceholderText(QStringLiteral("the date and hour"));
-  notes_->setObjectName(QStringLiteral("notes"));
-  notes_->setPlaceholderText(QStringLiteral("kept in the recording"));
-  for (auto* line : {name_, notes_}) line->setFocusPolicy(Qt::ClickFocus);
+  name_->setPlaceholderText(QStringLiteral("the date and hour   N"));
+  notes_line_->setObjectName(QStringLiteral("notes"));
+  notes_line_->setPlaceholderText(QStringLiteral("kept in it   Shift+N"));
+  for (auto* line : {name_, notes_line_}) line->setFocusPolicy(Qt::ClickFocus);
   status_->setObjectName(QStringLiteral("recording"));
   status_->setWordWrap(true);
   button_->setObjectName(QStringLiteral("record"));
@@ -36,7 +36,7 @@ RecordPanel::RecordPanel(QWidget* parent)
   form->setContentsMargins(8, 4, 8, 8);
   form->setVerticalSpacing(4);
   form->addRow(QStringLiteral("Name"), name_);
-  form->addRow(QStringLiteral("Notes"), notes_);
+  form->addRow(QStringLiteral("Notes"), notes_line_);
   auto* keys = new QHBoxLayout;
   keys->addWidget(button_, 2);
   keys->addWidget(marker_, 1);
@@ -57,14 +57,14 @@ std::filesystem::path RecordPanel::next_file() const {
 }
 
 std::string RecordPanel::notes() const {
-  return notes_->text().toStdString();
+  return notes_line_->text().toStdString();
 }
 
 void RecordPanel::show_status(const RecordingStatus& status, bool connected) {
   button_->setEnabled(connected || status.running);
   button_->setText(status.running ? QStringLiteral("Stop   R") : QStringLiteral("Record   R"));
   marker_->setEnabled(status.running);
-  for (QWidget* widget : {name_, notes_}) widget->setEnabled(!status.running);
+  for (QWidget* widget : {name_, notes_line_}) widget->setEnabled(!status.running);
   const bool recorded = !status.running && !status.file.empty();
   open_->setVisible(recorded && status.failure.empty());
   QString words = QStringLiteral("Nothing is written while only looking.");

@@ -26,13 +26,15 @@ class RecordPanel : public QGroupBox {
   std::string notes() const;
 
   void show_status(const RecordingStatus& status, bool connected);
+  QLineEdit* name() const { return name_; }
+  QLineEdit* notes_line() const { return notes_line_; }
   QPushButton* button() const { return button_; }
   QPushButton* marker() const { return marker_; }
   QPushButton* open() const { return open_; }
 
  private:
   std::filesystem::path folder_;
-  QLineEdit *name_, *notes_;
+  QLineEdit *name_, *notes_line_;
   QLabel* status_;
   QPushButton *button_, *marker_, *open_;
 };

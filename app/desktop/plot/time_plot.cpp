@@ -4,34 +4,22 @@
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_grid.h>
 #include <qwt_plot_layout.h>
-#include <qwt_plot_marker.h>
-#include <qwt_plot_zoneitem.h>
 #include <qwt_scale_draw.h>
 #include <qwt_scale_widget.h>
 
 #include <QLabel>
-#include <QPen>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
+#include "app/desktop/plot/small_text.h"
 #include "app/desktop/plot/span_item.h"
 
 namespace searig::app::desktop {
 namespace {
 
 constexpr int half_label_px = 24;
-constexpr double shade_opacity = 0.22;
 constexpr int axis_width_px = 46;  // the same in every plot, so that their time axes line up
-
-QwtText small_text(const QString& words) {
-  QwtText text(words);
-  QFont font = text.font();
-  font.setPointSizeF(9.0);
-  font.setBold(false);
-  text.setFont(font);
-  return text;
-}
 
 void style_axis(QwtPlot& plot, int axis, const QString& label) {
   plot.setAxisTitle(axis, small_text(label));
@@ -43,14 +31,6 @@ void style_axis(QwtPlot& plot, int axis, const QString& label) {
   plot.axisScaleDraw(axis)->setTickLength(QwtScaleDiv::MediumTick, 0);
   plot.axisScaleDraw(axis)->setTickLength(QwtScaleDiv::MajorTick, 4);
   plot.axisWidget(axis)->setMargin(0);
-}
-
-/// A colour as it looks over the ground.
-QString over(const QColor& colour, const QColor& under, double opacity) {
-  const auto mix = [opacity](int a, int b) { return int(opacity * a + (1.0 - opacity) * b); };
-  return QColor(mix(colour.red(), under.red()), mix(colour.green(), under.green()),
-                mix(colour.blue(), under.blue()))
-      .name();
 }
 
 }  // namespace
@@ -176,46 +156,6 @@ void TimePlot::set_band(std::size_t place, const std::vector<double>* x,
   curves_->set_data(place, x, low, high);
 }
 
-void TimePlot::set_marks(const std::vector<Mark>& marks) {
-  for (auto* mark : marks_) delete mark;  // which detaches it
-  marks_.clear();
-  mark_data_ = marks;
-  for (const Mark& mark : marks) {
-    auto* line = new QwtPlotMarker;
-    line->setLineStyle(QwtPlotMarker::VLine);
-    line->setLinePen(theme_.colour(mark.hue), 1.0, Qt::DashLine);
-    line->setXValue(mark.x);
-    QwtText text = small_text(QString::fromStdString(mark.text));
-    text.setColor(theme_.colour(mark.hue));
-    line->setLabel(text);
-    line->setLabelAlignment(Qt::AlignRight | Qt::AlignTop);
-    line->attach(plot_);
-    marks_.push_back(line);
-  }
-}
-
-void TimePlot::set_shaded(const std::vector<Interval>& intervals, const QString& name) {
-  for (auto* zone : shaded_) delete zone;  // which detaches it
-  shaded_.clear();
-  shaded_data_ = intervals;
-  for (const Interval& interval : intervals) {
-    auto* zone = new QwtPlotZoneItem;
-    zone->setOrientation(Qt::Vertical);
-    zone->setInterval(interval.from, interval.to);
-    zone->setPen(QPen(Qt::NoPen));
-    QColor colour = theme_.colour(interval.hue);
-    colour.setAlphaF(shade_opacity);
-    zone->setBrush(colour);
-    zone->setZ(-10.0);  // behind the curves
-    zone->attach(plot_);
-    shaded_.push_back(zone);
-  }
-  shading_ = {intervals.empty() ? QString() : name,
-              intervals.empty() ? Hue::orange : intervals.front().hue, QStringLiteral("&#x25a0;"),
-              shade_opacity};
-  write_caption();
-}
-
 void TimePlot::fix_y(Range range) {
   y_fixed_ = true;
   plot_->setAxisScale(QwtPlot::yLeft, range.low, range.high);
@@ -264,24 +204,6 @@ void TimePlot::set_theme(const Theme& theme) {
   grid_->setMajorPen(theme.colour(grid), 1.0);
   plot_->setCanvasBackground(theme.colour(ground));
   write_caption();
-}
-
-void TimePlot::rename_curve(std::size_t place, const QString& name) {
-  legend_[place].name = name;
-  write_caption();
-}
-
-void TimePlot::write_caption() {
-  QString text = QStringLiteral("<b>%1</b>").arg(title_.toHtmlEscaped());
-  std::vector<Entry> entries(legend_.rbegin(), legend_.rend());  // what is above first
-  entries.push_back(shading_);
-  for (const Entry& entry : entries) {
-    if (entry.name.isEmpty()) continue;
-    text += QStringLiteral("&nbsp;&nbsp;&nbsp; <span style='color:%1'><b>%2</b></span> %3")
-                .arg(over(theme_.colour(entry.hue), theme_.colour(ground), entry.opacity),
-                     entry.sign, entry.name.toHtmlEscaped());
-  }
-  caption_->setText(text);
 }
 
 }  // namespace searig::app::desktop

@@ -16,8 +16,6 @@ namespace searig::app::desktop {
 namespace {
 
 enum Place : std::size_t { stiffness, error, weight, clocks, streams };
-enum Curve : std::size_t { measured, first_torque, second_torque };
-enum Run : std::size_t { first, second };
 
 constexpr double scrub_steps = 1e6;  // of the scroll bar, which counts in whole numbers
 constexpr double shortest_s = 0.05, longest_s = 36000.0;
@@ -51,38 +49,17 @@ HistoryView::HistoryView(QWidget* parent)
   layout->setSpacing(1);
   layout->addWidget(readouts_);
   layout->addWidget(hint_);
-  auto* plots = new QVBoxLayout;
-  plots->setSpacing(1);
-  plots->addWidget(torque_, 5);
-  plots->addWidget(weight_, 3);
-  plots->addWidget(stiffness_, 3);
-  plots->addWidget(scrub_);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(1);
+  const int shares[] = {10, 6, 5, 9};
+  for (std::size_t i = 0; i < plots().size(); ++i) column->addWidget(plots()[i], shares[i]);
+  column->addWidget(scrub_);
   row_ = new QHBoxLayout;
   row_->setSpacing(0);
-  row_->addLayout(plots, 1);
+  row_->addLayout(column, 1);
   layout->addLayout(row_, 1);
   layout->addWidget(status_);
   show_range(range_);
-}
-
-void HistoryView::make_plots() {
-  torque_ = new TimePlot(QStringLiteral("Torque"), QStringLiteral("torque (N·m)"), this);
-  torque_->setObjectName(QStringLiteral("torque"));
-  torque_->add_curve(QStringLiteral("measured by the load cell"), Hue::ink);
-  torque_->add_curve(QStringLiteral("estimated from the spring"), Hue::blue);
-  torque_->add_curve({}, Hue::vermilion);
-  torque_->follow_y(measured);  // not a first guess of k that is ten times too high
-  weight_ = new TimePlot(QStringLiteral("Trust in the motor current"),
-                         QStringLiteral("weight (0 to 1)"), this);
-  weight_->setObjectName(QStringLiteral("weight"));
-  weight_->add_curve(QStringLiteral("weight"), Hue::purple);
-  weight_->add_curve({}, Hue::vermilion);
-  weight_->fix_y({-0.05, 1.05});
-  stiffness_ =
-      new TimePlot(QStringLiteral("Spring stiffness"), QStringLiteral("k (N·m/rad)"), this);
-  stiffness_->setObjectName(QStringLiteral("stiffness"));
-  stiffness_->add_curve(QStringLiteral("online estimate"), Hue::green);
-  stiffness_->add_curve({}, Hue::vermilion);
 }
 
 void HistoryView::watch_mouse() {
@@ -98,28 +75,6 @@ void HistoryView::watch_mouse() {
                                },
                            .show_all = [this] { show_all(); }});
   for (TimePlot* plot : plots()) mouse->watch(*plot);
-}
-
-void HistoryView::show_histories(const History* one, const History* other) {
-  first_ = one;
-  second_ = other;
-  static const History none;
-  const History& over = other ? *other : none;
-  torque_->set_data(measured, &one->measured_t_s, &one->measured_nm);
-  torque_->set_data(first_torque, &one->t_s, &one->estimated_nm);
-  torque_->set_data(second_torque, &over.t_s, &over.estimated_nm);
-  weight_->set_data(first, &one->t_s, &one->weight);
-  weight_->set_data(second, &over.t_s, &over.weight);
-  stiffness_->set_data(first, &one->t_s, &one->stiffness_nm_per_rad);
-  stiffness_->set_data(second, &over.t_s, &over.stiffness_nm_per_rad);
-  torque_->rename_curve(first_torque, QString::fromStdString(one->estimated_from));
-  const QString name = other ? QString::fromStdString(over.estimated_from) : QString();
-  torque_->rename_curve(second_torque, name);
-  weight_->rename_curve(second, over.weight.empty() ? QString() : name);
-  stiffness_->rename_curve(second, over.stiffness_nm_per_rad.empty() ? QString() : name);
-  weight_->setVisible(!one->weight.empty() || !over.weight.empty());
-  stiffness_->setVisible(!one->stiffness_nm_per_rad.empty() || !over.stiffness_nm_per_rad.empty());
-  show_range(range_);
 }
 
 void HistoryView::show_numbers(const acquisition::Recording& recording,
@@ -215,14 +170,11 @@ void HistoryView::set_cursors(const Cursors& cursors) {
   std::vector<Mark> marks;
   if (cursors.a_s) marks.push_back({*cursors.a_s, "A", Hue::ink});
   if (cursors.b_s) marks.push_back({*cursors.b_s, "B", Hue::orange});
-  for (TimePlot* plot : plots()) plot->set_marks(marks);
+  std::vector<Mark> lines = marks;  // the letters stand in the uppermost plot alone
+  for (Mark& line : lines) line.text.clear();
+  for (TimePlot* plot : plots()) plot->set_marks(plot == torque_ ? marks : lines);
   show_range(range_);
   if (cursors_moved_) cursors_moved_();
-}
-
-void HistoryView::set_theme(const Theme& theme) {
-  for (TimePlot* plot : plots()) plot->set_theme(theme);
-  set_cursors(cursors_);  // in the new colours
 }
 
 }  // namespace searig::app::desktop

@@ -13,6 +13,7 @@
 #include "app/desktop/theme.h"
 #include "app/report/plot.h"
 #include "app/rig/history.h"
+#include "app/session/regime_residuals.h"
 
 class QLabel;
 class QScrollBar;
@@ -36,6 +37,10 @@ class HistoryView : public QWidget {
   /// Histories belong to the caller, who keeps them alive until others are shown. Plots of what
   /// none of them has are hidden. `second` may be null.
   void show_histories(const History* first, const History* second);
+  /// What was measured less the first of them, by regime; until others are shown.
+  void show_residuals(RegimeResiduals residuals);
+  /// Stretches of time in which a diagnosis found the model wanting.
+  void shade(const std::vector<Interval>& intervals, const QString& name);
   void show_numbers(const acquisition::Recording& recording, const acquisition::ClockMap& clock);
   /// What to do next, or what went wrong; empty takes it away.
   void say(const QString& words);
@@ -54,7 +59,7 @@ class HistoryView : public QWidget {
   void set_cursors(const Cursors& cursors);
   void on_cursors(std::function<void()> moved) { cursors_moved_ = std::move(moved); }
   void set_theme(const Theme& theme);
-  std::vector<TimePlot*> plots() const { return {torque_, weight_, stiffness_}; }
+  std::vector<TimePlot*> plots() const { return {torque_, residual_, weight_, stiffness_}; }
 
  private:
   void make_plots();
@@ -70,7 +75,11 @@ class HistoryView : public QWidget {
   Cursors cursors_;
   std::function<void()> cursors_moved_;
   Readouts* readouts_;
+  RegimeResiduals residuals_;
+  std::vector<Interval> shaded_;
+  QString shaded_name_;
   TimePlot* torque_;
+  TimePlot* residual_;
   TimePlot* weight_;
   TimePlot* stiffness_;
   QLabel* hint_;

@@ -1,9 +1,7 @@
 #include "app/desktop/replay/replay_page.h"
 
-#include <QAction>
-#include <QCursor>
 #include <QLabel>
-#include <QMenu>
+#include <QLineEdit>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <stdexcept>
@@ -20,10 +18,6 @@ namespace {
 
 constexpr int side_px = 300;
 constexpr int between_growths_ms = 100;
-
-QKeySequence with(Qt::Modifier modifier, Qt::Key key) {
-  return QKeySequence(int(modifier) | int(key));
-}
 
 const char* next_step(ReplayPage::Place place) {
   return place == ReplayPage::Place::first
@@ -69,36 +63,9 @@ ReplayPage::ReplayPage(Shell& shell)
   });
   runs_->on_run([this] { run_again(); });
   runs_->on_take_away([this] { take_away(); });
+  hold_keys(*runs_->first_k());
   make_actions();
   view_->set_cursors({});
-}
-
-void ReplayPage::make_actions() {
-  const auto add = [this](const char* words, const QKeySequence& key, auto action) {
-    connect(add_action(words, key), &QAction::triggered, this, action);
-  };
-  add("Zoom &in", QKeySequence(Qt::Key_Plus), [this] { view_->zoom(0.5); });
-  add("Zoom &out", QKeySequence(Qt::Key_Minus), [this] { view_->zoom(2.0); });
-  add("&Earlier", QKeySequence(Qt::Key_Left), [this] { view_->move(-0.25); });
-  add("&Later", QKeySequence(Qt::Key_Right), [this] { view_->move(0.25); });
-  add("&Whole recording", QKeySequence(Qt::Key_Home), [this] { view_->show_all(); });
-  add("Bac&k to where it was", QKeySequence(Qt::Key_Backspace), [this] { view_->back(); });
-  menu()->addSeparator();
-  add("Cursor &A here", QKeySequence(Qt::Key_A), [this] { set_cursor(false); });
-  add("Cursor &B here", QKeySequence(Qt::Key_B), [this] { set_cursor(true); });
-  add("A a bit earlier", with(Qt::SHIFT, Qt::Key_Left), [this] { step_cursor(false, -1); });
-  add("A a bit later", with(Qt::SHIFT, Qt::Key_Right), [this] { step_cursor(false, 1); });
-  add("B a bit earlier", with(Qt::ALT, Qt::Key_Left), [this] { step_cursor(true, -1); });
-  add("B a bit later", with(Qt::ALT, Qt::Key_Right), [this] { step_cursor(true, 1); });
-  add("&No cursors", QKeySequence(Qt::Key_C), [this] { view_->set_cursors({}); });
-  menu()->addSeparator();
-  add("&Run the estimator again", QKeySequence(Qt::Key_R), [this] { run_again(); });
-  add("&Take the second run away", QKeySequence(Qt::Key_X), [this] { take_away(); });
-  add("&Stop reading or estimating", QKeySequence(Qt::Key_Escape), [this] {
-    if (!work_->busy()) return;
-    work_->cancel();
-    view_->say(QStringLiteral("Stopped. R runs the estimator, Ctrl+O opens a recording."));
-  });
 }
 
 void ReplayPage::open(const std::filesystem::path& recording,
@@ -167,10 +134,13 @@ void ReplayPage::start_run(const RunSettings& settings, Place place) {
           });
         };
         auto made = std::make_shared<EstimatorRun>(run_estimator(*session, settings, watch));
-        growing->remark = made->remark;
         return [=, this] {
           // Its columns were all handed over, or none.
           const auto& run = made->history.t_s.empty() ? growing : made;
+          if (run == growing) {
+            growing->remark = made->remark;
+            growing->residuals = std::move(made->residuals);
+          }
           if (place == Place::second) run->history.estimated_from = words_for(settings);
           place == Place::first ? show_runs(run, nullptr) : show_runs(first_, run);
           tell_runs();
@@ -205,6 +175,7 @@ void ReplayPage::tell_runs() {
   if (!first_) return;
   view_->show_numbers(session_->recording, session_->clock);
   view_->set_cursors(view_->cursors());
+  view_->show_residuals(first_->residuals);
   runs_->show_runs(first_->history.t_s.empty() ? nullptr : first_.get(), second_.get());
 }
 
@@ -217,27 +188,6 @@ void ReplayPage::use_model(const std::filesystem::path& file) {
   runs_->use_model(file);
   view_->say(QStringLiteral("R runs the estimator with the model %1 over the recording.")
                  .arg(QString::fromStdString(file.filename().string())));
-}
-
-/// Where the pointer is, else in the middle.
-void ReplayPage::set_cursor(bool second) {
-  const Range shown = view_->range();
-  double at_s = 0.5 * (shown.low + shown.high);
-  for (TimePlot* plot : view_->plots())
-    if (plot->canvas().underMouse())
-      at_s = plot->time_at(plot->canvas().mapFromGlobal(QCursor::pos()).x());
-  Cursors cursors = view_->cursors();
-  (second ? cursors.b_s : cursors.a_s) = at_s;
-  view_->set_cursors(cursors);
-}
-
-void ReplayPage::step_cursor(bool second, int pixels) {
-  Cursors cursors = view_->cursors();
-  auto& cursor = second ? cursors.b_s : cursors.a_s;
-  if (!cursor) return set_cursor(second);
-  const Range shown = view_->range();
-  *cursor += pixels * (shown.high - shown.low) / view_->plots().front()->canvas().width();
-  view_->set_cursors(cursors);
 }
 
 void ReplayPage::wait() {

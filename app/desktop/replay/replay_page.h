@@ -29,6 +29,9 @@ class ReplayPage : public Page {
             std::function<void(std::shared_ptr<const Session>)> opened = {});
   /// Of the runs to come.
   void use_model(const std::filesystem::path& file);
+  /// Range and cursors in words, for the next session; and back again.
+  QString view_in_words() const;
+  void take_view(const QString& words);
   /// Until nothing is being read or estimated; for tests and pictures.
   void wait();
 

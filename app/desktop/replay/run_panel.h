@@ -18,6 +18,7 @@ class RunPanel : public QWidget {
   explicit RunPanel(QWidget* parent);
 
   RunSettings settings() const;
+  QLineEdit* first_k() const { return initial_k_; }
   /// From now on the model of the next run.
   void use_model(const std::filesystem::path& file);
   /// `second` may be null.

@@ -73,6 +73,18 @@ TEST_F(DiagnosePageTest, TheDifferencesAreDrawnWhereTheyAre) {
   EXPECT_GT(looked_at, 20);
 }
 
+TEST_F(DiagnosePageTest, ReplayIsShadedWhereTheModelMissesMost) {
+  find();
+  window_->show_page("replay");
+  const auto shaded = child<TimePlot>("torque").as_plot().shaded;
+  const auto here = window_->diagnose().findChild<TimePlot*>("residual")->as_plot().shaded;
+  ASSERT_FALSE(shaded.empty());
+  ASSERT_EQ(shaded.size(), here.size());
+  EXPECT_EQ(shaded.front().from, here.front().from);
+  open(path_);
+  EXPECT_TRUE(child<TimePlot>("torque").as_plot().shaded.empty());
+}
+
 TEST_F(DiagnosePageTest, TheAcceptedModelIsTheNextRunsOnReplay) {
   find();
   key(Qt::Key_A);

@@ -6,6 +6,7 @@
 #include <QDropEvent>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
@@ -85,6 +86,57 @@ TEST_F(HabitsTest, GoesOnWhereTheLastSessionEnded) {
   EXPECT_EQ(next->replay().caption(), "sample");
   EXPECT_LT(QApplication::palette().color(QPalette::Window).lightness(), 128);
   next->set_dark(false);
+}
+
+TEST_F(HabitsTest, TakesUpTheViewOfTheRecordingThatWasOpen) {
+  const QString file = QString::fromStdString((folder_.path() / "window.ini").string());
+  window_->continue_session(SessionStore(file));
+  open();
+  window_->replay().view().show_range({3.25, 7.5});
+  window_->replay().view().set_cursors({4.0, std::nullopt});
+  window_->close();
+
+  window_ = shown_window();
+  window_->continue_session(SessionStore(file));
+  window_->reopen_last();
+  window_->replay().wait();
+  const HistoryView& view = window_->replay().view();
+  EXPECT_DOUBLE_EQ(view.range().low, 3.25);
+  EXPECT_DOUBLE_EQ(view.range().high, 7.5);
+  EXPECT_EQ(view.cursors().a_s, 4.0);
+  EXPECT_FALSE(view.cursors().b_s);
+  for (const char* words : {"", "1 2 3", "5 4 - -", "a b c d"}) window_->replay().take_view(words);
+  EXPECT_DOUBLE_EQ(view.range().low, 3.25);
+  open();  // anew, and another might be
+  EXPECT_DOUBLE_EQ(view.range().low, 0.0);
+}
+
+/// Letters are a field's while it is written into, and a page's again after Return or Escape.
+TEST_F(HabitsTest, KeysReachTheFieldsAndLeaveThem) {
+  auto& name = child<QLineEdit>("name");
+  auto& notes = child<QLineEdit>("notes");
+  key(Qt::Key_N);
+  ASSERT_TRUE(name.hasFocus());
+  QTest::keyClicks(&name, "rmo n");
+  EXPECT_EQ(name.text(), "rmo n");
+  QTest::keyClick(&name, Qt::Key_Return);
+  EXPECT_FALSE(name.hasFocus());
+  key(Qt::Key_N, Qt::ShiftModifier);
+  ASSERT_TRUE(notes.hasFocus());
+  QTest::keyClicks(&notes, "Cold");
+  QTest::keyClick(&notes, Qt::Key_Escape);
+  EXPECT_EQ(notes.text(), "Cold");
+  key(Qt::Key_R);  // the page's again
+  EXPECT_NE(message().find("Connect first"), std::string::npos) << message();
+  open();
+  key(Qt::Key_K);
+  auto& first_k = child<QLineEdit>("initial_k");
+  ASSERT_TRUE(first_k.hasFocus());
+  QTest::keyClicks(&first_k, "90");
+  QTest::keyClick(&first_k, Qt::Key_Return);
+  key(Qt::Key_R);
+  window_->replay().wait();
+  EXPECT_NE(words("runs").find("from k = 90"), std::string::npos) << words("runs");
 }
 
 TEST_F(HabitsTest, KeepsNothingWhereItIsNotAskedTo) {

@@ -156,6 +156,38 @@ TEST(LivePage, ConnectCalibrateRecordUnplugReplay) {
   EXPECT_EQ(recording.module.counts.lost, 0u);
 }
 
+TEST(LivePage, LeadsAlongATargetBesideTheMotionThatThereIs) {
+  const auto window = shown_window();
+  LivePage& page = window->live();
+  estimator::PlannedMotion motion;
+  motion.kind = estimator::PlannedMotion::Kind::sine;
+  motion.seconds = 60.0;
+  motion.amplitudes_rad = {0.3};
+  motion.frequencies_hz = {0.2};
+  motion.output_rad = 0.2;
+  EXPECT_FALSE(page.lead(motion));
+  page.connect_rig();
+  wait_until(20.0, [&] { return page.connected() && page.plots().now_s() > 2.0; });
+  ASSERT_TRUE(page.lead(motion)) << page.message().toStdString();
+  wait_until(3.0, [&] { return page.message().contains("Keep on the target"); });
+  EXPECT_NE(page.message().indexOf("R records"), -1) << page.message().toStdString();
+  wait_until(10.0, [&] { return page.plots().now_s() > 6.0; });
+  QTest::keyClick(window.get(), Qt::Key_Space);  // so that it stands still
+  page.plots().draw();
+  settle();
+  EXPECT_EQ(describe_layout(*window)["cut"].size(), 0u) << describe_layout(*window)["cut"];
+  keep_picture(*window, "follow");
+  const Pixels pixels(*window);
+  const LiveColumns& c = page.plots().columns();
+  int seen = 0, looked_at = 0;
+  for (std::size_t i = c.t_s.size() / 2; i + 10 < c.t_s.size(); i += 20, ++looked_at)
+    seen += pixels.drawn("target", c.t_s[i], c.deflection_rad[i], Hue::blue) ? 1 : 0;
+  EXPECT_GT(looked_at, 20);
+  EXPECT_GT(seen, looked_at * 8 / 10);  // the lever's is drawn above
+  QTest::keyClick(window.get(), Qt::Key_T);
+  EXPECT_FALSE(describe_layout(*window)["plots"].contains("target"));
+}
+
 TEST(LivePage, ResizingAndClosingWhileRecordingLosesNothing) {
   const TemporaryFolder folder;
   {

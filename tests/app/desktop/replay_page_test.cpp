@@ -120,13 +120,13 @@ TEST_F(ReplayPageTest, TheSecondRunIsDrawnOverTheFirst) {
   std::size_t at = 400;  // it has come to rest
   for (std::size_t i = at; i < run.t_s.size(); ++i)
     if (apart_nm(i) > apart_nm(at)) at = i;
-  view().show_range({run.t_s[at] - 0.3, run.t_s[at] + 0.3});
+  view().show_range({run.t_s[at] - 0.1, run.t_s[at] + 0.1});
   settle();
   const Pixels pixels(*window_);
   const Range y = torque().y_range();
   const double px_nm = (y.high - y.low) / torque().canvas().height();
   int apart = 0, by_current = 0;
-  for (std::size_t i = at - 50; i < at + 50; ++i) {
+  for (std::size_t i = at - 18; i < at + 18; ++i) {
     const double t = run.t_s[i], k = run.stiffness_nm_per_rad[i];
     EXPECT_TRUE(pixels.drawn("torque", t, run.estimated_nm[i], Hue::vermilion)) << t;
     EXPECT_TRUE(pixels.drawn("stiffness", t, k, Hue::vermilion)) << t;
@@ -134,8 +134,27 @@ TEST_F(ReplayPageTest, TheSecondRunIsDrawnOverTheFirst) {
     ++apart;
     by_current += pixels.drawn("torque", t, run.current_nm[i], Hue::vermilion) ? 1 : 0;
   }
-  EXPECT_GT(apart, 30);
+  EXPECT_GT(apart, 20);
   EXPECT_LT(by_current, apart / 10);
+}
+
+TEST_F(ReplayPageTest, ResidualsStandInTheColourOfTheirRegime) {
+  const auto run = run_estimator(*page().session(), {});
+  view().show_range({5.0, 10.0});
+  settle();
+  const Pixels pixels(*window_);
+  const Hue hues[] = {Hue::purple, Hue::blue, Hue::green};
+  int looked_at = 0, seen = 0;
+  for (const std::size_t regime : {0, 1, 2}) {
+    const auto& residuals = run.residuals[regime];
+    for (std::size_t i = 0; i < residuals.t_s.size(); ++i) {
+      if (residuals.t_s[i] < 5.1 || residuals.t_s[i] > 9.9) continue;
+      ++looked_at;
+      seen += pixels.drawn("residual", residuals.t_s[i], residuals.nm[i], hues[regime]) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(looked_at, 100);
+  EXPECT_GT(seen, looked_at * 9 / 10);
 }
 
 TEST_F(ReplayPageTest, SaysWhyAModelCannotBeUsed) {

@@ -58,6 +58,23 @@ TEST_F(EstimatorRunTest, EstimatesDampingBesideTheStiffness) {
   EXPECT_LT(*with, 0.3 * *without);
 }
 
+TEST_F(EstimatorRunTest, HasAResidualForEachReadingThatItCovers) {
+  for (const RunKind kind : {RunKind::online, RunKind::linear, RunKind::simulation}) {
+    const auto run = run_estimator(*session_, {.kind = kind});
+    std::size_t found = 0;
+    for (const auto& regime : run.residuals) {
+      found += regime.t_s.size();
+      for (std::size_t i = 0; i < regime.t_s.size(); ++i) {
+        const auto at = values_at(run.history, regime.t_s[i]);
+        ASSERT_TRUE(at.measured_nm && at.estimated_nm);
+        ASSERT_NEAR(regime.nm[i], *at.measured_nm - *at.estimated_nm, 1e-9);
+      }
+    }
+    EXPECT_GT(found, session_->signals.loadcell.t_s.size() - 10);
+    EXPECT_GT(run.residuals[std::size_t(estimator::Regime::driving)].t_s.size(), 50u);
+  }
+}
+
 TEST_F(EstimatorRunTest, SimulatesTheModelThatIsGiven) {
   estimator::Model truth = *find_model(session_->recording.path, std::nullopt);
   truth.set("spring.viscous", "c_nm_s_per_rad", sample_c);

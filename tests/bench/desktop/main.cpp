@@ -131,6 +131,8 @@ LiveNews news_of(std::size_t from, std::size_t to, double later_s = 0.0) {
     c.k_nm_per_rad.push_back(40.0 + noise(random));
     c.k_low_nm_per_rad.push_back(39.0);
     c.k_high_nm_per_rad.push_back(41.0);
+    c.deflection_rad.push_back(torque / 40.0);
+    c.output_angle_rad.push_back(0.0);
     if (i % 20 != 0) continue;
     c.loadcell_t_s.push_back(t);
     c.loadcell_nm.push_back(torque + noise(random));
