@@ -31,23 +31,41 @@ std::vector<bool> Sampler::covered(double gap_s) const {
   return out;
 }
 
+Eigen::VectorXd Sampler::slopes(const Eigen::VectorXd& x) const {
+  const Eigen::Index last = x.size() - 1;
+  const auto chord = [&](Eigen::Index i) { return (x[i + 1] - x[i]) / (t_[i + 1] - t_[i]); };
+  Eigen::VectorXd out(x.size());
+  out[0] = chord(0), out[last] = chord(last - 1);
+  for (Eigen::Index i = 1; i < last; ++i) {
+    const double before = t_[i] - t_[i - 1], after = t_[i + 1] - t_[i];
+    out[i] = (after * chord(i - 1) + before * chord(i)) / (before + after);
+  }
+  return out;
+}
+
 double Sampler::integral_to(const Place& place, const Eigen::VectorXd& x,
-                            const Eigen::VectorXd& integral) const {
+                            const Eigen::VectorXd& slope, const Eigen::VectorXd& integral) const {
   const Eigen::Index i = place.sample;
-  const double slope = (x[i + 1] - x[i]) / (t_[i + 1] - t_[i]);
-  return integral[i] + place.within_s * (x[i] + 0.5 * slope * place.within_s);
+  const double h = t_[i + 1] - t_[i], u = place.within_s / h, u2 = u * u, u3 = u2 * u, u4 = u2 * u2;
+  return integral[i] +
+         h * ((u - u3 + 0.5 * u4) * x[i] + (u3 - 0.5 * u4) * x[i + 1] +
+              h * ((u2 / 2 - 2 * u3 / 3 + u4 / 4) * slope[i] + (u4 / 4 - u3 / 3) * slope[i + 1]));
 }
 
 Eigen::VectorXd Sampler::operator()(const Eigen::VectorXd& x) const {
+  const Eigen::VectorXd slope = slopes(x);
   Eigen::VectorXd integral(x.size());
   integral[0] = 0.0;
-  for (Eigen::Index i = 1; i < x.size(); ++i)
-    integral[i] = integral[i - 1] + 0.5 * (x[i] + x[i - 1]) * (t_[i] - t_[i - 1]);
+  for (Eigen::Index i = 1; i < x.size(); ++i) {
+    const double h = t_[i] - t_[i - 1];
+    integral[i] =
+        integral[i - 1] + 0.5 * h * (x[i] + x[i - 1]) + h * h * (slope[i - 1] - slope[i]) / 12;
+  }
   Eigen::VectorXd out(rows());
   for (Eigen::Index i = 0; i < rows(); ++i) {
     const Place &b = begin_[std::size_t(i)], &e = end_[std::size_t(i)];
     const double width = t_[e.sample] + e.within_s - t_[b.sample] - b.within_s;
-    out[i] = (integral_to(e, x, integral) - integral_to(b, x, integral)) / width;
+    out[i] = (integral_to(e, x, slope, integral) - integral_to(b, x, slope, integral)) / width;
   }
   return out;
 }

@@ -6,8 +6,11 @@
 
 namespace searig::estimator {
 
-/// Averages a piecewise linear signal over [centre - width/2, centre + width/2]. Both sides of a
-/// comparison go through the same window, so that a filter is never mistaken for physics.
+/// Averages a signal over [centre - width/2, centre + width/2]. Between samples it is a cubic whose
+/// slopes at the samples are those of the parabolas through three (Catmull-Rom): straight lines are
+/// short of a curve's peaks, which looks like physics where the telemetry is slower than the load
+/// cell. Both sides of a comparison go through the same window, so that a filter is never mistaken
+/// for physics.
 class Sampler {
  public:
   Sampler() = default;
@@ -28,7 +31,8 @@ class Sampler {
     Eigen::Index sample;  // the interval that the time is in
     double within_s;      // from its beginning
   };
-  double integral_to(const Place& place, const Eigen::VectorXd& x,
+  Eigen::VectorXd slopes(const Eigen::VectorXd& x) const;
+  double integral_to(const Place& place, const Eigen::VectorXd& x, const Eigen::VectorXd& slope,
                      const Eigen::VectorXd& integral) const;
 
   Eigen::VectorXd t_;

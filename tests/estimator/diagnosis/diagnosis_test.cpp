@@ -47,6 +47,16 @@ TEST(Diagnose, FindsNothingWhereNothingIsMissing) {
   }
 }
 
+/// Straight lines between slow samples of the telemetry are no physics, however quiet the load
+/// cell.
+TEST(Diagnose, FindsNothingWhereTheTelemetryIsSlowerThanTheLoadCell) {
+  SimulatedActuator rig;
+  rig.module_step_s = 0.025, rig.loadcell_step_s = 0.005, rig.noise_nm = 0.003;
+  const Diagnosis d = diagnose(rig.record(), rig.paper());
+  EXPECT_TRUE(d.findings.empty()) << d.findings.front().effect;
+  EXPECT_FALSE(d.unexplained) << d.unexplained->what;
+}
+
 TEST(Diagnose, AsksForOtherNumbersWhereOnlyTheStiffnessIsWrong) {
   SimulatedActuator rig;
   Model wrong = rig.paper();

@@ -20,6 +20,7 @@ struct SimulatedActuator {
   double noise_nm = 0.03;  ///< of the load cell
   double memory = 0;       ///< of that noise from one sample to the next
   double noise_a = 0.01;   ///< of the current
+  double module_step_s = 0.005, loadcell_step_s = 0.02;
   unsigned seed = 1;
 
   struct Wave {
@@ -53,7 +54,7 @@ struct SimulatedActuator {
     std::mt19937 random(seed);
     std::normal_distribution<double> gauss;
     Signals s;
-    for (double t = 0; t < seconds; t += 0.005) {
+    for (double t = 0; t < seconds; t += module_step_s) {
       const Wave d = deflection(t), o = output(t);
       const double w = d.rate + o.rate, a = d.bend + o.bend;
       s.module.t_s.push_back(t);
@@ -65,7 +66,7 @@ struct SimulatedActuator {
     }
     double noise = 0;
     const double fresh = noise_nm * std::sqrt(1 - memory * memory);
-    for (double t = 0.007; t < seconds - 0.02; t += 0.02) {
+    for (double t = 0.007; t < seconds - 0.02; t += loadcell_step_s) {
       noise = memory * noise + fresh * gauss(random);
       s.loadcell.t_s.push_back(t);
       s.loadcell.torque_nm.push_back(torque(t) + noise);
