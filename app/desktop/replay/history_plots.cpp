@@ -1,5 +1,6 @@
 // The plots of a recording, and what is drawn in them.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/desktop/plot/regime_dots.h"
@@ -10,6 +11,20 @@ namespace {
 
 enum Curve : std::size_t { measured, first_torque, second_torque };
 enum Run : std::size_t { first, second };
+
+/// Twice what 19 of 20 stay below, about zero: the first seconds of a first guess that was ten
+/// times too high would flatten the rest.
+Range range_for(const RegimeResiduals& residuals) {
+  std::vector<double> sizes;
+  for (const auto& each : residuals)
+    for (const double nm : each.nm)
+      if (std::isfinite(nm)) sizes.push_back(std::abs(nm));
+  if (sizes.empty()) return {-1.0, 1.0};
+  const auto at = sizes.begin() + std::ptrdiff_t(0.95 * double(sizes.size() - 1));
+  std::ranges::nth_element(sizes, at);
+  const double high = std::max(2.0 * *at, 1e-12);
+  return {-high, high};
+}
 
 }  // namespace
 
@@ -63,6 +78,7 @@ void HistoryView::show_histories(const History* one, const History* other) {
 void HistoryView::show_residuals(RegimeResiduals residuals) {
   residuals_ = std::move(residuals);
   set_regime_dots(*residual_, residuals_);
+  residual_->fix_y(range_for(residuals_));
   residual_->setVisible(
       std::ranges::any_of(residuals_, [](const auto& each) { return !each.t_s.empty(); }));
   TimePlot* lowest = torque_;
