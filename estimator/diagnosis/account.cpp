@@ -159,9 +159,7 @@ class Accountant {
   bool drop_dwarfed() {
     const auto& all = out_.assessments;
     const auto least = std::ranges::min_element(all, {}, &Assessment::rho);
-    if (least == all.end() ||
-        least->rho >= search_.criteria().least_of_largest * largest_assessed())
-      return false;
+    if (least == all.end() || beyond_form(least->rho / largest_assessed()) >= 0.5) return false;
     out_.final = search_.score(Hypothesis(least->without));
     return true;
   }
