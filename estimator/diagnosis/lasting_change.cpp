@@ -9,9 +9,11 @@
 namespace searig::estimator {
 namespace {
 
-constexpr double least_share = 0.33;   // of the power of a residual
-constexpr double least_gain = 60.0;    // in deviance; as of any atom
-constexpr double longest_share = 0.6;  // of the recording: beyond, it is the rest that is special
+constexpr double least_share = 0.33;  // of the power of a residual
+constexpr double least_gain = 60.0;   // in deviance; as of any atom
+// Of the recording. A while that is longer is not special. A change for good that leaves nothing
+// before it could stand for the spring itself, and take it out of the drive's equation.
+constexpr double longest_while = 0.6, longest_for_good = 0.85;
 
 /// Noise without a memory, as loud as what the hypothesis leaves.
 Bench without_memory(const Bench& bench, const Hypothesis& hypothesis) {
@@ -58,7 +60,8 @@ std::optional<Atom> lasting_change(const Bench& bench, const Hypothesis& hypothe
   std::vector<Atom> candidates = lasting_changes(bench.experiment().motion);
   for (Atom& atom : candidates) {  // where they lie the bench knows them by
     atom = refined(plain, hypothesis, atom);
-    if (!atom.at_once && atom.to - atom.from > longest_share * end_s) continue;
+    const double lasts_s = (atom.at_once ? end_s : atom.to) - atom.from;
+    if (lasts_s > (atom.at_once ? longest_for_good : longest_while) * end_s) continue;
     const bool drive = atom.path == Path::drive;
     Hypothesis with = hypothesis;
     with.push_back({nullptr, {}, &atom});
