@@ -53,17 +53,6 @@ ParameterEstimate with_doubt_of_form(ParameterEstimate p) {
   return p;
 }
 
-/// No finding is surer than that some number of it is not zero: blocks that scatter more than the
-/// noise explains widen intervals, and likelihoods know nothing of it.
-double not_zero(const std::vector<ParameterEstimate>& parameters) {
-  double most = parameters.empty() ? 1.0 : 0.0;
-  for (const auto& p : parameters) {
-    const double half = 0.5 * (p.upper - p.lower);
-    if (half > 0) most = std::max(most, std::erf(1.96 * std::abs(p.value) / half / std::sqrt(2.0)));
-  }
-  return most;
-}
-
 Finding finding(const Bench& bench, const Account& account, const PathResiduals& after,
                 const Assessment& a, const std::vector<ParameterEstimate>& parameters,
                 const Diagnosis& out) {
@@ -74,7 +63,6 @@ Finding finding(const Bench& bench, const Account& account, const PathResiduals&
   f.alternatives = a.alternatives;
   for (const auto& p : parameters)
     if (p.effect == f.effect) f.parameters.push_back(with_doubt_of_form(p));
-  f.probability *= not_zero(f.parameters);
   f.located = locate(bench, a.without, account.final.hypothesis, piece.effect->path(),
                      piece.effect->about().channel);
   const Removed gone =

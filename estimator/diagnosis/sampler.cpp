@@ -4,11 +4,17 @@
 #include <stdexcept>
 
 namespace searig::estimator {
+namespace {
+
+constexpr double slow = 1.2;  // windows from sample to sample: clearly more than one
+
+}  // namespace
 
 Sampler::Sampler(const std::vector<double>& t, const std::vector<double>& centres, double width_s,
                  double shift_s)
     : t_(Eigen::Map<const Eigen::VectorXd>(t.data(), Eigen::Index(t.size()))) {
   if (t.size() < 2) throw std::invalid_argument("a sampler needs two samples");
+  curved_ = (t.back() - t.front()) / double(t.size() - 1) > slow * width_s;
   const auto place = [&](double at) {
     const auto after = std::ranges::upper_bound(t, at);
     const auto sample =
@@ -31,35 +37,35 @@ std::vector<bool> Sampler::covered(double gap_s) const {
   return out;
 }
 
-Eigen::VectorXd Sampler::slopes(const Eigen::VectorXd& x) const {
-  const Eigen::Index last = x.size() - 1;
-  const auto chord = [&](Eigen::Index i) { return (x[i + 1] - x[i]) / (t_[i + 1] - t_[i]); };
-  Eigen::VectorXd out(x.size());
-  out[0] = chord(0), out[last] = chord(last - 1);
-  for (Eigen::Index i = 1; i < last; ++i) {
-    const double before = t_[i] - t_[i - 1], after = t_[i + 1] - t_[i];
-    out[i] = (after * chord(i - 1) + before * chord(i)) / (before + after);
-  }
+Sampler::Slopes Sampler::slopes(const Eigen::VectorXd& x) const {
+  const Eigen::Index intervals = x.size() - 1;
+  const Eigen::ArrayXd step = t_.tail(intervals) - t_.head(intervals);
+  const Eigen::ArrayXd chord = (x.tail(intervals) - x.head(intervals)).array() / step;
+  Slopes out(intervals, 2);
+  out.col(0) = out.col(1) = chord;
+  for (Eigen::Index i = 1; curved_ && i < intervals; ++i)  // of the parabola through three samples
+    out(i - 1, 1) = out(i, 0) =
+        (step[i] * chord[i - 1] + step[i - 1] * chord[i]) / (step[i - 1] + step[i]);
   return out;
 }
 
-double Sampler::integral_to(const Place& place, const Eigen::VectorXd& x,
-                            const Eigen::VectorXd& slope, const Eigen::VectorXd& integral) const {
+double Sampler::integral_to(const Place& place, const Eigen::VectorXd& x, const Slopes& slope,
+                            const Eigen::VectorXd& integral) const {
   const Eigen::Index i = place.sample;
   const double h = t_[i + 1] - t_[i], u = place.within_s / h, u2 = u * u, u3 = u2 * u, u4 = u2 * u2;
   return integral[i] +
          h * ((u - u3 + 0.5 * u4) * x[i] + (u3 - 0.5 * u4) * x[i + 1] +
-              h * ((u2 / 2 - 2 * u3 / 3 + u4 / 4) * slope[i] + (u4 / 4 - u3 / 3) * slope[i + 1]));
+              h * ((u2 / 2 - 2 * u3 / 3 + u4 / 4) * slope(i, 0) + (u4 / 4 - u3 / 3) * slope(i, 1)));
 }
 
 Eigen::VectorXd Sampler::operator()(const Eigen::VectorXd& x) const {
-  const Eigen::VectorXd slope = slopes(x);
+  const Slopes slope = slopes(x);
   Eigen::VectorXd integral(x.size());
   integral[0] = 0.0;
   for (Eigen::Index i = 1; i < x.size(); ++i) {
     const double h = t_[i] - t_[i - 1];
-    integral[i] =
-        integral[i - 1] + 0.5 * h * (x[i] + x[i - 1]) + h * h * (slope[i - 1] - slope[i]) / 12;
+    integral[i] = integral[i - 1] + 0.5 * h * (x[i] + x[i - 1]) +
+                  h * h * (slope(i - 1, 0) - slope(i - 1, 1)) / 12;
   }
   Eigen::VectorXd out(rows());
   for (Eigen::Index i = 0; i < rows(); ++i) {

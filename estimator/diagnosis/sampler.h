@@ -6,11 +6,11 @@
 
 namespace searig::estimator {
 
-/// Averages a signal over [centre - width/2, centre + width/2]. Between samples it is a cubic whose
-/// slopes at the samples are those of the parabolas through three (Catmull-Rom): straight lines are
-/// short of a curve's peaks, which looks like physics where the telemetry is slower than the load
-/// cell. Both sides of a comparison go through the same window, so that a filter is never mistaken
-/// for physics.
+/// Averages a signal over [centre - width/2, centre + width/2]. Between samples it is straight;
+/// where samples are further apart than the window is wide it is a cubic whose slopes at the
+/// samples are those of the parabolas through three (Catmull-Rom): straight lines are short of a
+/// curve's peaks, which looks like physics. Both sides of a comparison go through the same window,
+/// so that a filter is never mistaken for physics.
 class Sampler {
  public:
   Sampler() = default;
@@ -31,11 +31,13 @@ class Sampler {
     Eigen::Index sample;  // the interval that the time is in
     double within_s;      // from its beginning
   };
-  Eigen::VectorXd slopes(const Eigen::VectorXd& x) const;
-  double integral_to(const Place& place, const Eigen::VectorXd& x, const Eigen::VectorXd& slope,
+  using Slopes = Eigen::MatrixX2d;  // at the beginning and end of each interval
+  Slopes slopes(const Eigen::VectorXd& x) const;
+  double integral_to(const Place& place, const Eigen::VectorXd& x, const Slopes& slope,
                      const Eigen::VectorXd& integral) const;
 
   Eigen::VectorXd t_;
+  bool curved_ = false;
   std::vector<Place> begin_, end_;
   std::vector<bool> inside_;
 };

@@ -212,11 +212,11 @@ std::vector<Atom> lasting_changes(const Motion& m) {
     add(Path::rig, torque);
   }
   // A motor that gives less shows where the spring is loaded; the current itself would be a way to
-  // shrink both sides of the drive's equation.
+  // shrink both sides of the drive's equation. Without a spring the load is what is measured.
   if (m.has_drive()) {
     add(Path::drive, always);
     add(Path::drive, (as_array(m.w) / m.smoothing_rad_s).tanh());
-    add(Path::drive, torque);
+    add(Path::drive, m.has_spring() ? torque : Array(as_array(m.current)));
   }
   return out;
 }
