@@ -100,7 +100,7 @@ bool Search::believable(const Contender& contender) {
     if (at_its_bound(piece)) return false;
     for (const auto& p : piece.effect->parameters()) {  // a softening by more than everything
       const auto value = numbers.get(piece.effect->name(), p.name);
-      if (value && (*value < p.lower || *value > 0.98 * p.upper)) return false;  // nor at a bound
+      if (value && (*value < p.lower || *value > p.upper)) return false;
     }
   }
   for (std::size_t i = 0; i < hypothesis.size(); ++i) {
