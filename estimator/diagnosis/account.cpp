@@ -79,8 +79,11 @@ class Accountant {
     refine_atoms();
   }
 
+  /// Only where nothing has a name: between recordings of several motions an effect that has one
+  /// changes, too, and would give way to the change.
   void add_lasting_change() {
-    if (!bench_.method().looks_for_nameless) return;
+    const bool named = out_.final.hypothesis.size() > out_.base.hypothesis.size();
+    if (named || !bench_.method().looks_for_nameless) return;
     const auto change = lasting_change(bench_, out_.final.hypothesis);
     if (!change) return;
     out_.moved_atoms.push_back(*change);
