@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -40,6 +41,9 @@ inline constexpr std::array<ModuleChannel, 9> module_channels{{
     {"winding_temperature_c", &ModuleSignals::winding_temperature_c},
     {"spring_temperature_c", &ModuleSignals::spring_temperature_c},
 }};
+
+/// The rows [from, to); a channel that does not reach so far becomes empty.
+ModuleSignals rows_of(const ModuleSignals& module, std::size_t from, std::size_t to);
 
 /// Ground truth at its own sample times.
 struct LoadcellSignals {

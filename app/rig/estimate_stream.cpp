@@ -14,19 +14,6 @@ using estimator::ModuleSignals;
 /// torque does not depend on where a window was cut.
 constexpr double margin_s = 0.05;
 
-ModuleSignals cut(const ModuleSignals& all, std::size_t first, std::size_t last) {
-  const auto part = [&](const std::vector<double>& column) {
-    if (column.size() < last) return std::vector<double>{};
-    return std::vector<double>(column.begin() + static_cast<std::ptrdiff_t>(first),
-                               column.begin() + static_cast<std::ptrdiff_t>(last));
-  };
-  ModuleSignals out;
-  out.t_s = part(all.t_s);
-  for (const auto& channel : estimator::module_channels)
-    out.*channel.values = part(all.*channel.values);
-  return out;
-}
-
 std::size_t index_at(const std::vector<double>& t_s, double at) {
   return static_cast<std::size_t>(std::lower_bound(t_s.begin(), t_s.end(), at) - t_s.begin());
 }
@@ -51,7 +38,7 @@ void EstimateStream::follow(const ModuleSignals& module, bool ended,
   if (until <= followed_) return;
   const std::size_t first = index_at(t_s, t_s[followed_] - margin_s);
   const std::size_t last = std::min(t_s.size(), index_at(t_s, t_s[until - 1] + margin_s) + 1);
-  take(cut(module, first, last), followed_ - first, until - first, estimates);
+  take(estimator::rows_of(module, first, last), followed_ - first, until - first, estimates);
   followed_ = until;
 }
 

@@ -64,11 +64,6 @@ void replace_by_states(EstimatorRun& run, const Session& session, const estimato
   history.stiffness_sd_nm_per_rad.clear();
 }
 
-double start_of(const Session& session) {
-  const auto& t_s = session.signals.module.t_s;
-  return t_s.empty() ? 0.0 : t_s.front();
-}
-
 RegimeResiduals residuals_of(const Session& session, const History& history) {
   ResidualFinder finder(session.signals);
   const double start_s = start_of(session);

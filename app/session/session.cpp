@@ -114,6 +114,11 @@ estimator::Evaluation evaluate_session(const Session& session,
   });
 }
 
+double start_of(const Session& session) {
+  const auto& t_s = session.signals.module.t_s;
+  return t_s.empty() ? 0.0 : t_s.front();
+}
+
 std::optional<estimator::Model> find_model(const std::filesystem::path& recording,
                                            const std::optional<std::filesystem::path>& model_file) {
   const auto read = [](const std::filesystem::path& file) {

@@ -48,6 +48,9 @@ estimator::Evaluation evaluate_session(const Session& session,
                                        const estimator::EvaluationOptions& options,
                                        const estimator::Watch& watch);
 
+/// On the module's clock; 0 where it has no samples.
+double start_of(const Session& session);
+
 /// The model to hold against a recording: `model_file` where given, else model.toml in the
 /// recording, else none. Throws with one sentence where the file cannot be used.
 std::optional<estimator::Model> find_model(const std::filesystem::path& recording,

@@ -163,7 +163,7 @@ class Accountant {
     const auto& all = out_.assessments;
     const auto least = std::ranges::min_element(all, {}, &Assessment::rho);
     if (least == all.end() || beyond_form(least->rho / largest_assessed()) >= 0.5) return false;
-    out_.final = search_.score(Hypothesis(least->without));
+    out_.final = search_.score(least->without);
     return true;
   }
 

@@ -114,7 +114,13 @@ class Bench {
   double late_s_ = 0.0;  // of the load cell, in the hypothesis that the torque was learnt from
   Eigen::VectorXd torque_;  // on the motion's samples, as the load cell would see it undisturbed
   Eigen::MatrixXd raw_nuisance_, nuisance_;
-  mutable std::map<std::string, Eigen::MatrixXd> raw_cache_, cache_;
+  /// Columns by piece; a copy of the bench makes its own.
+  struct Cache : std::map<std::string, Eigen::MatrixXd> {
+    Cache() = default;
+    Cache(const Cache&) : map() {}
+    Cache& operator=(const Cache&) = delete;
+  };
+  mutable Cache raw_cache_, cache_;
 };
 
 /// Delay and lag that a hypothesis holds; zero where it has none.

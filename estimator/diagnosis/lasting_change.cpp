@@ -41,19 +41,23 @@ struct Left {
   }
 };
 
-/// What a hypothesis leaves of the load cell's rows, or of the drive's.
-Left left_by(const Bench& bench, const Hypothesis& hypothesis, bool drive) {
+/// Of the load cell's rows, or of the drive's.
+Left left_of(const Bench& bench, const Eigen::VectorXd& residual, bool drive) {
   const Experiment& e = bench.experiment();
   const Eigen::Index from = drive ? e.loadcell_rows() : 0,
                      to = drive ? e.rows() : e.loadcell_rows();
-  return {bench.raw_residual(hypothesis, bench.fit(hypothesis)).segment(from, to - from),
-          {e.usable.begin() + from, e.usable.begin() + to}};
+  return {residual.segment(from, to - from), {e.usable.begin() + from, e.usable.begin() + to}};
+}
+
+Eigen::VectorXd residual_of(const Bench& bench, const Hypothesis& hypothesis) {
+  return bench.raw_residual(hypothesis, bench.fit(hypothesis));
 }
 
 }  // namespace
 
 std::optional<Atom> lasting_change(const Bench& bench, const Hypothesis& hypothesis) {
   const Bench plain = without_memory(bench, hypothesis);
+  const Eigen::VectorXd residual = residual_of(plain, hypothesis);
   const double end_s = bench.experiment().motion.t.back();
   std::optional<Atom> best;
   double most = least_gain;
@@ -65,7 +69,8 @@ std::optional<Atom> lasting_change(const Bench& bench, const Hypothesis& hypothe
     const bool drive = atom.path == Path::drive;
     Hypothesis with = hypothesis;
     with.push_back({nullptr, {}, &atom});
-    const Left before = left_by(plain, hypothesis, drive), after = left_by(plain, with, drive);
+    const Left before = left_of(plain, residual, drive);
+    const Left after = left_of(plain, residual_of(plain, with), drive);
     if (before.power() - after.power() < least_share * before.power()) continue;
     const double gain = before.badness() - after.badness();
     if (gain > most) most = gain, best = atom;

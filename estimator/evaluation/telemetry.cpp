@@ -15,16 +15,6 @@ void for_each_column(Work work) {
   for (const ModuleChannel& channel : module_channels) work(channel.values);
 }
 
-ModuleSignals part_of(const ModuleSignals& module, std::size_t from, std::size_t to) {
-  ModuleSignals part;
-  for_each_column([&](auto column) {
-    const auto& all = module.*column;
-    if (!all.empty())
-      (part.*column).assign(all.begin() + std::ptrdiff_t(from), all.begin() + std::ptrdiff_t(to));
-  });
-  return part;
-}
-
 }  // namespace
 
 void WholeTelemetry::go_through(double context_s, const Take& take) const {
@@ -32,7 +22,7 @@ void WholeTelemetry::go_through(double context_s, const Take& take) const {
   if (rows <= rows_at_once_) return take({module_, 0, rows});
   BlockMaker blocks(context_s, take);
   for (std::size_t from = 0; from < rows; from += rows_at_once_)
-    blocks.add(part_of(module_, from, std::min(rows, from + rows_at_once_)));
+    blocks.add(rows_of(module_, from, std::min(rows, from + rows_at_once_)));
   blocks.finish();
 }
 

@@ -101,8 +101,7 @@ void ReplayPage::show_session(std::shared_ptr<const Session> session) {
 std::shared_ptr<EstimatorRun> ReplayPage::begun_run(const RunSettings& settings) const {
   auto run = std::make_shared<EstimatorRun>();
   run->settings = settings;
-  const auto& module_s = session_->signals.module.t_s;
-  run->history.set_measured(session_->signals.loadcell, module_s.empty() ? 0.0 : module_s.front());
+  run->history.set_measured(session_->signals.loadcell, start_of(*session_));
   return run;
 }
 
