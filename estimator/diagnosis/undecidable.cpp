@@ -1,5 +1,6 @@
 #include "estimator/diagnosis/undecidable.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,6 +22,18 @@ struct Visible {
   double least_share;       // the same over the torque's rms
 };
 
+/// Share of the candidate that the fixed columns do not span, at the amplitudes that they hide
+/// best: a weight may hang at any phase.
+double least_independence(const Projection& projection, const Eigen::MatrixXd& columns) {
+  const Eigen::VectorXd scale = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  const Eigen::MatrixXd all = columns * scale.asDiagonal(), free = projection.free_part(all);
+  Eigen::MatrixXd norm = all.transpose() * all;
+  norm.diagonal().array() += 1e-9;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> shares(free.transpose() * free,
+                                                                         norm);
+  return std::sqrt(std::max(0.0, shares.eigenvalues()[0]));
+}
+
 /// The shape in the middle of the grid stands for the effect.
 std::vector<Visible> candidates(const Bench& bench, const Hypothesis& hypothesis,
                                 const Projection& projection) {
@@ -35,7 +48,7 @@ std::vector<Visible> candidates(const Bench& bench, const Hypothesis& hypothesis
     const Piece piece{effect, grid[grid.size() / 2], nullptr};
     const Eigen::MatrixXd columns = bench.screening_columns(piece);
     if (!(columns.norm() > 0)) continue;
-    const double free = projection.gain(columns).independence;
+    const double free = least_independence(projection, columns);
     const double used = double(std::max<Eigen::Index>(1, bench.whitening().used_rows()));
     const double rho = std::sqrt(seen_gain / used) / std::max(free, 1e-9);
     const double sd = effect->path() == Path::drive ? bench.whitening().drive().sd
@@ -52,7 +65,8 @@ std::string percent(double share) {
 }
 
 std::string why_not_seen(const Visible& c) {
-  const std::string taken = ": the fitted terms and the clocks take up the rest";
+  const std::string taken = std::string(c.columns.cols() > 1 ? " at its least visible phase" : "") +
+                            ": the fitted terms and the clocks take up the rest";
   if (c.least_share > 1.0) return "under this motion it cannot be seen, however large" + taken;
   return "under this motion it would be asserted only above " + percent(c.least_share) +
          " of the torque" + taken;
