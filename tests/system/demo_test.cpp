@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include <nlohmann/json.hpp>
 
@@ -80,6 +82,20 @@ TEST_F(Demo, LeavesPicturesOfTheWindow) {
   }
 }
 #endif
+
+/// The simulated rubber softens and relaxes, in other forms than the catalogue's; it is not cubic.
+TEST(DemoUse, OfARecordingOfAMinuteNothingIsSaidThatIsNotThere) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  ASSERT_EQ(run_program("searig demo --headless --out " + out).exit_code, 0);
+  const Ran ran = run_program("searig diagnose " + out + "/recording.mcap --json - --out " + out +
+                              "/diagnosis");
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const auto answer = nlohmann::json::parse(ran.out);
+  std::set<std::string> found;
+  for (const auto& finding : answer["recordings"][0]["findings"]) found.insert(finding["effect"]);
+  EXPECT_EQ(found, (std::set<std::string>{"spring.mullins", "spring.relaxation"}));
+}
 
 TEST(DemoUse, WrongUseIsSaidAndExits2) {
   EXPECT_EQ(run_program("searig demo --seconds fast").exit_code, 2);

@@ -72,8 +72,9 @@ ConnectPanel::ConnectPanel(QWidget* parent)
                       QStringLiteral("udp://HOST:PORT, serial:DEVICE, or chosen from the list"))),
       lever_arm_(new QDoubleSpinBox),
       calibration_(new QPushButton(QStringLiteral("its own"))),
-      model_(new QPushButton(QStringLiteral("none"))),
+      model_(new QPushButton),
       button_(new QPushButton) {
+  model_->setObjectName(QStringLiteral("model"));
   lever_arm_->setObjectName(QStringLiteral("lever arm"));
   lever_arm_->setRange(-10.0, 10.0);
   lever_arm_->setDecimals(4);
@@ -103,6 +104,7 @@ ConnectPanel::ConnectPanel(QWidget* parent)
     choose_file(QStringLiteral("The model of the actuator"), toml, model_file_, model_);
   });
   connect(&ports_, &QTimer::timeout, this, [this] { look_for_ports(); });
+  connect(module_, &QComboBox::currentTextChanged, this, [this] { show_model(); });
   ports_.setInterval(look_every_ms);
   look_for_ports();
   show_state(State::away);
@@ -122,6 +124,12 @@ void ConnectPanel::choose_file(const QString& title, const QString& filter, std:
   name(*on, file);
 }
 
+void ConnectPanel::show_model() {
+  if (!model_file_.empty()) return name(*model_, model_file_);
+  model_->setText(chosen(*module_) == simulated ? QStringLiteral("its own")
+                                                : QStringLiteral("none"));
+}
+
 void ConnectPanel::choose(const std::string& module, const std::string& loadcell) {
   set(*module_, module);
   set(*loadcell_, loadcell);
@@ -134,7 +142,7 @@ void ConnectPanel::set_calibration(const std::string& file) {
 
 void ConnectPanel::set_model(const std::string& file) {
   model_file_ = file;
-  name(*model_, file);
+  show_model();
 }
 
 RigOptions ConnectPanel::options() const {

@@ -35,6 +35,7 @@ class ConnectPanel : public QGroupBox {
 
  private:
   void look_for_ports();
+  void show_model();
   void choose_file(const QString& title, const QString& filter, std::string& file, QPushButton* on);
 
   QComboBox *loadcell_, *module_;

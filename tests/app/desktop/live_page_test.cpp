@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QImage>
 #include <QLabel>
@@ -154,6 +155,17 @@ TEST(LivePage, ConnectCalibrateRecordUnplugReplay) {
   EXPECT_TRUE(std::any_of(recording.events.begin(), recording.events.end(),
                           [](const auto& event) { return event.text == "mark 1"; }));
   EXPECT_EQ(recording.module.counts.lost, 0u);
+}
+
+TEST(LivePage, OnlyTheSimulatedModuleBringsAModelOfItsOwn) {
+  const auto window = shown_window();
+  const auto* model = window->findChild<QPushButton*>("model");
+  EXPECT_EQ(model->text(), "its own");
+  auto* module = window->findChild<QComboBox*>("module");
+  module->setEditText("udp://127.0.0.1:9750");
+  EXPECT_EQ(model->text(), "none");
+  module->setCurrentIndex(0);
+  EXPECT_EQ(model->text(), "its own");
 }
 
 TEST(LivePage, LeadsAlongATargetBesideTheMotionThatThereIs) {
