@@ -71,14 +71,15 @@ Step Search::step(const Hypothesis& from) {
   out.before = score(from);
   const auto hold = [&](const std::vector<std::vector<Piece>>& all, std::vector<Contender>& into) {
     for (const auto& pieces : all) {
-      Contender c{pieces, score(with(out.before.hypothesis, pieces)), 0.0};
+      // From the shapes as they are: without what is missing they may run away.
+      Contender c{pieces, score(with(from, pieces)), 0.0};
       c.gain = out.before.cost() - c.scored.cost();
       if (pieces.front().atom || believable(c)) into.push_back(std::move(c));
     }
     std::ranges::sort(into, std::greater{}, &Contender::gain);
   };
-  hold(shortlist_named(out.before.hypothesis), out.named);
-  hold(shortlist_unnamed(out.before.hypothesis), out.unnamed);
+  hold(shortlist_named(from), out.named);
+  hold(shortlist_unnamed(from), out.unnamed);
   return out;
 }
 
