@@ -134,6 +134,8 @@ class Accountant {
     if (names_came_first_ && add_what_stands_out()) change_while_needed();
     const double largest = largest_assessed();
     for (Assessment& a : out_.assessments) a.probability *= beyond_form(a.rho / largest);
+    for (std::size_t i = 0; i < out_.final.hypothesis.size(); ++i)
+      if (out_.final.hypothesis[i].atom) out_.near_names.merge(names_near(search_, out_.final, i));
   }
 
   void change_while_needed() {

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Account {
   Scored base;                            ///< the model's own terms, refitted
   Scored final;                           ///< with everything that was found
   std::vector<Assessment> assessments;    ///< one per named piece of `final` that the model lacked
+  std::set<std::string> near_names;       ///< that would explain nearly as much as an atom does
   std::deque<Atom> moved_atoms;           ///< that pieces of `final` point to
   std::vector<std::string> switched_off;  ///< in words: terms without their channels
 };

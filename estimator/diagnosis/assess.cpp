@@ -15,6 +15,13 @@ double temperature(double gain) {
   return 1.0 + 0.02 * std::max(0.0, gain);
 }
 
+/// Of a rival that brings less than the `most` that was found.
+double likelihood(double gain, double most) {
+  return std::exp(std::min(0.0, -(most - gain) / (2.0 * temperature(most))));
+}
+
+constexpr double worth_a_word = 0.01;  // in likelihood
+
 /// Whether the spring's residual and the drive's want the same amplitude of a spring term.
 bool both_agree(const Bench& bench, const Hypothesis& final, std::size_t piece, double gain) {
   const Experiment& e = bench.experiment();
@@ -56,7 +63,6 @@ Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t
     out.better = step.named.front().scored;
   out.consistent = both_agree(bench, final.hypothesis, piece, out.gain);
 
-  const double t = temperature(out.gain);
   std::map<std::string, double> weight;
   double total = 1.0, nameless = 0.0;
   const auto family = [](const std::string& name) {  // when the load cell answers, not what
@@ -65,21 +71,32 @@ Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t
   for (const auto& c : step.named) {
     const std::string& name = c.pieces.front().effect->name();
     if (c.pieces.size() > 1 || family(name) == family(own.effect->name())) continue;
-    const double w = std::exp(std::min(0.0, -(out.gain - c.gain) / (2.0 * t)));
-    if (w <= 0.01) continue;
+    const double w = likelihood(c.gain, out.gain);
+    if (w <= worth_a_word) continue;
     weight[name] = w, total += w;
     out.rivals.push_back(c.scored.hypothesis);
   }
-  for (const auto& c : step.unnamed)
-    nameless = std::max(nameless, std::exp(std::min(0.0, -(out.gain - c.gain) / (2.0 * t))));
+  for (const auto& c : step.unnamed) nameless = std::max(nameless, likelihood(c.gain, out.gain));
   total += nameless;
   out.probability = existence(out.gain, out.rho) / total;
   for (const auto& [name, w] : weight)
     out.alternatives.push_back({name, w / total, own.effect->about().separated_by});
-  if (nameless > 0.01)
+  if (nameless > worth_a_word)
     out.alternatives.push_back(
         {"", nameless / total, "a recording of the same motion at another place, time or load"});
   std::ranges::sort(out.alternatives, std::greater{}, &Alternative::probability);
+  return out;
+}
+
+std::set<std::string> names_near(Search& search, const Scored& final, std::size_t atom) {
+  Hypothesis rest = final.hypothesis;
+  rest.erase(rest.begin() + std::ptrdiff_t(atom));
+  const Step step = search.step(rest);
+  const double most = step.before.cost() - final.cost();
+  std::set<std::string> out;
+  for (const auto& c : step.named)
+    if (c.pieces.size() == 1 && likelihood(c.gain, most) > worth_a_word)
+      out.insert(c.pieces.front().effect->name());
   return out;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <string>
 
 #include "estimator/diagnosis/diagnosis.h"
 #include "estimator/diagnosis/search.h"
@@ -29,5 +31,8 @@ double existence(double gain, double rho);
 /// Chance that a term is more than what another one leaves over because nature's form of that is
 /// not the catalogue's; `share` is its size over that of the largest term.
 double beyond_form(double share);
+
+/// Names that, in the place of an atom of `final`, would explain nearly as much as it does.
+std::set<std::string> names_near(Search& search, const Scored& final, std::size_t atom);
 
 }  // namespace searig::estimator

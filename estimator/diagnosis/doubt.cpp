@@ -35,11 +35,14 @@ void withdraw_contradicted(const Account& account, Diagnosis& out) {
                                     f.alternatives.front().effect.empty() &&
                                     f.alternatives.front().probability >= f.probability;
     if (a->consistent && !nameless_as_likely) return false;
-    if (a->consistent)
-      out.undecidable.push_back({{f.effect},
-                                 "it would explain the mismatch, but something without a name "
-                                 "explains it as well",
-                                 f.next_experiment});
+    if (a->consistent) {
+      Undecidable open{{f.effect},
+                       "explains the mismatch, but something without a name does so as well",
+                       f.next_experiment};
+      for (const Alternative& rival : f.alternatives)
+        if (!rival.effect.empty()) open.effects.push_back(rival.effect);
+      out.undecidable.push_back(open);
+    }
     if (!out.unexplained)
       out.unexplained =
           Unexplained{f.located, 0.001,

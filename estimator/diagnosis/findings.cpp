@@ -12,6 +12,7 @@
 #include "estimator/diagnosis/polish.h"
 #include "estimator/diagnosis/remainder.h"
 #include "estimator/diagnosis/undecidable.h"
+#include "estimator/physics/catalogue.h"
 
 namespace searig::estimator {
 namespace {
@@ -212,7 +213,14 @@ Stated state_findings(const Bench& bench, const Account& account, const PathResi
   std::ranges::stable_sort(out.findings, std::greater{}, &Finding::probability);
   stated.asserted = settle_numbers(bench, final, given, out);
   std::erase_if(stated.asserted, [](const Piece& p) { return p.atom != nullptr; });
-  for (auto& u : undecidable(bench, final)) out.undecidable.push_back(std::move(u));
+  for (const std::string& name : account.near_names)
+    out.undecidable.push_back({{name},
+                               "explains what is left nearly as well as something without a name",
+                               find_effect(name)->about().separated_by});
+  for (auto& u : undecidable(bench, final))
+    if (std::ranges::find(out.undecidable, u.effects, &Undecidable::effects) ==
+        out.undecidable.end())
+      out.undecidable.push_back(std::move(u));
   return stated;
 }
 
