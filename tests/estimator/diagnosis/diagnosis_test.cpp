@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -101,6 +102,17 @@ TEST(Diagnose, NamesMissingFrictionInTheDrive) {
   SimulatedActuator rig;
   rig.coulomb = 0.4;
   expect_found(rig, "drive.coulomb", "torque_nm", 0.4, 0.05);
+}
+
+/// The lever swings by less than half a radian: a weight that hangs down shows, one that stands out
+/// sideways pulls almost evenly.
+TEST(Diagnose, SaysThatAWeightMayHangWhereItCannotBeSeen) {
+  const SimulatedActuator rig;
+  const Diagnosis d = diagnose(rig.record(), rig.paper());
+  const auto weight = std::ranges::find(d.undecidable, std::vector<std::string>{"rig.gravity"},
+                                        &Undecidable::effects);
+  ASSERT_NE(weight, d.undecidable.end());
+  EXPECT_NE(weight->why.find("at its least visible phase"), std::string::npos) << weight->why;
 }
 
 TEST(Diagnose, FindsTheNumbersOfThePapersEquationsWithoutAModel) {
