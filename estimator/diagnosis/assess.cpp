@@ -22,6 +22,29 @@ double likelihood(double gain, double most) {
 
 constexpr double worth_a_word = 0.01;  // in likelihood
 
+/// How likely rivals for the place of a piece are, the piece itself being 1. They have to fit as
+/// well and to predict as well: the best of hundreds of features fits well by being chosen. Of a
+/// while that others do not see nothing is predicted.
+class Rivalry {
+ public:
+  Rivalry(const Search& search, const Scored& final, const Step& without)
+      : search_(search),
+        before_(search.heldout(without.before.hypothesis)),
+        predicted_(before_ - search.heldout(final.hypothesis)),
+        gain_(without.before.cost() - final.cost()) {}
+
+  double of(const Contender& c) const {
+    const double fits = likelihood(c.gain, gain_);
+    const Atom* atom = c.pieces.front().atom;
+    if (atom && atom->channel == "time_s" && !atom->at_once) return fits;
+    return std::min(fits, likelihood(before_ - search_.heldout(c.scored.hypothesis), predicted_));
+  }
+
+ private:
+  const Search& search_;
+  double before_, predicted_, gain_;
+};
+
 /// Whether the spring's residual and the drive's want the same amplitude of a spring term.
 bool both_agree(const Bench& bench, const Hypothesis& final, std::size_t piece, double gain) {
   const Experiment& e = bench.experiment();
@@ -63,20 +86,22 @@ Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t
     out.better = step.named.front().scored;
   out.consistent = both_agree(bench, final.hypothesis, piece, out.gain);
 
+  const Rivalry rivalry(search, final, step);
   std::map<std::string, double> weight;
-  double total = 1.0, nameless = 0.0;
+  double total = 1.0;
   const auto family = [](const std::string& name) {  // when the load cell answers, not what
     return name == "rig.lag" ? std::string("rig.delay") : name;
   };
   for (const auto& c : step.named) {
     const std::string& name = c.pieces.front().effect->name();
     if (c.pieces.size() > 1 || family(name) == family(own.effect->name())) continue;
-    const double w = likelihood(c.gain, out.gain);
+    const double w = rivalry.of(c);
     if (w <= worth_a_word) continue;
     weight[name] = w, total += w;
     out.rivals.push_back(c.scored.hypothesis);
   }
-  for (const auto& c : step.unnamed) nameless = std::max(nameless, likelihood(c.gain, out.gain));
+  double nameless = 0.0;
+  for (const auto& c : step.unnamed) nameless = std::max(nameless, rivalry.of(c));
   total += nameless;
   out.probability = existence(out.gain, out.rho) / total;
   for (const auto& [name, w] : weight)
@@ -92,10 +117,10 @@ std::set<std::string> names_near(Search& search, const Scored& final, std::size_
   Hypothesis rest = final.hypothesis;
   rest.erase(rest.begin() + std::ptrdiff_t(atom));
   const Step step = search.step(rest);
-  const double most = step.before.cost() - final.cost();
+  const Rivalry rivalry(search, final, step);
   std::set<std::string> out;
   for (const auto& c : step.named)
-    if (c.pieces.size() == 1 && likelihood(c.gain, most) > worth_a_word)
+    if (c.pieces.size() == 1 && rivalry.of(c) > worth_a_word)
       out.insert(c.pieces.front().effect->name());
   return out;
 }

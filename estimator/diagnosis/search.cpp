@@ -12,6 +12,7 @@ namespace {
 
 constexpr double price_per_value = 6.0;  // of an amplitude or a shape value, in deviance
 constexpr double price_of_no_name = 10.0;
+constexpr std::size_t most_unnamed = 2;  // polished, of those that explain something
 
 double price(const Bench& bench, const Hypothesis& hypothesis) {
   double sum = 0.0;
@@ -74,13 +75,32 @@ Step Search::step(const Hypothesis& from) {
       // From the shapes as they are: without what is missing they may run away.
       Contender c{pieces, score(with(from, pieces)), 0.0};
       c.gain = out.before.cost() - c.scored.cost();
-      if (pieces.front().atom || believable(c)) into.push_back(std::move(c));
+      const Atom* atom = pieces.front().atom;
+      if (atom ? explains(*atom, c, out.before) : believable(c)) into.push_back(std::move(c));
+      if (atom && into.size() == most_unnamed) break;
     }
     std::ranges::sort(into, std::greater{}, &Contender::gain);
   };
   hold(shortlist_named(from), out.named);
   hold(shortlist_unnamed(from), out.unnamed);
   return out;
+}
+
+/// In newton metres, before whitening.
+double Search::left_of_drive(const Hypothesis& hypothesis) const {
+  const Experiment& e = bench_.experiment();
+  const Eigen::VectorXd residual = bench_.raw_residual(hypothesis, bench_.fit(hypothesis));
+  double sum = 0.0;
+  for (Eigen::Index row = e.loadcell_rows(); row < e.rows(); ++row)
+    if (e.usable[std::size_t(row)]) sum += residual[row] * residual[row];
+  return sum;
+}
+
+/// The drive's residual counts in amperes. A function of the current can take back the current's
+/// errors while the torque constant grows, which gains, yet leaves more newton metres than before.
+bool Search::explains(const Atom& atom, const Contender& c, const Scored& from) const {
+  return atom.path != Path::drive ||
+         left_of_drive(c.scored.hypothesis) < left_of_drive(from.hypothesis);
 }
 
 bool Search::at_its_bound(const Piece& piece) const {
@@ -131,10 +151,12 @@ bool Search::passes(const Contender& c, const Scored& from) {
 }
 
 bool Search::predicts(const Contender& c, const Scored& from) const {
-  const auto blocks = bench_.blocks();
-  const Fit with = bench_.fit(c.scored.hypothesis), without = bench_.fit(from.hypothesis);
-  return heldout_sse(with.free_columns, with.free_right, blocks) <
-         heldout_sse(without.free_columns, without.free_right, blocks);
+  return heldout(c.scored.hypothesis) < heldout(from.hypothesis);
+}
+
+double Search::heldout(const Hypothesis& hypothesis) const {
+  const Fit fit = bench_.fit(hypothesis);
+  return heldout_sse(fit.free_columns, fit.free_right, bench_.blocks());
 }
 
 bool Search::stands_out(const Contender& c, const Scored& from) {

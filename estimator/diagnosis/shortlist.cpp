@@ -8,7 +8,7 @@
 namespace searig::estimator {
 namespace {
 
-constexpr std::size_t polished_named = 5, polished_unnamed = 2, paired = 8;
+constexpr std::size_t polished_named = 5, tried_unnamed = 6, paired = 8;
 
 bool holds(const Hypothesis& hypothesis, const Effect* effect) {
   return std::ranges::any_of(hypothesis, [&](const Piece& p) { return p.effect == effect; });
@@ -127,7 +127,7 @@ std::vector<std::vector<Piece>> Search::shortlist_unnamed(const Hypothesis& from
   }
   std::ranges::sort(ranked, std::greater{});
   std::vector<std::vector<Piece>> out;
-  for (std::size_t i = 0; i < std::min(polished_unnamed, ranked.size()); ++i)
+  for (std::size_t i = 0; i < std::min(tried_unnamed, ranked.size()); ++i)
     out.push_back({Piece{nullptr, {}, ranked[i].second}});
   return out;
 }

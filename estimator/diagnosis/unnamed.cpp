@@ -10,22 +10,6 @@ namespace {
 
 using Array = Eigen::ArrayXd;
 
-/// Which part counts of a feature that grows by `slope` with what it is a function of.
-using Part = std::function<Array(const Array& feature, const Array& slope)>;
-
-Array whole(const Array& feature, const Array&) {
-  return feature;
-}
-
-/// What of a function of the current is not the current itself, so that its slope is 0 on average.
-/// Else it could take back the current's errors, which the drive's residual is counted in, while
-/// the torque constant grew.
-Part beside(const std::vector<double>& current) {
-  return [&current](const Array& feature, const Array& slope) -> Array {
-    return feature - slope.mean() * as_array(current);
-  };
-}
-
 class Collector {
  public:
   Collector(const Motion& motion, std::vector<Atom>& out) : m_(motion), out_(out) {}
@@ -62,21 +46,18 @@ class Collector {
   }
 
   /// Something that begins beyond a value of x: a stop, a snag to one side, saturation.
-  void hinges(const std::vector<double>& x, const std::string& channel, Path path,
-              const Part& part = whole) {
+  void hinges(const std::vector<double>& x, const std::string& channel, Path path) {
     if (x.empty()) return;
     const auto [low, high] = range(x);
     for (const double share : {0.2, 0.4, 0.6, 0.75, 0.88, 0.94}) {
       const double up = high * share, down = low * share;
       add("something that begins beyond a value", path, channel, up, high,
-          [&x, part](double from, double) -> Eigen::VectorXd {
-            const Array beyond = (as_array(x) - from).max(0.0);
-            return part(beyond, beyond.sign()).matrix();
+          [&x](double from, double) -> Eigen::VectorXd {
+            return (as_array(x) - from).max(0.0).matrix();
           });
       add("something that begins beyond a value", path, channel, low, down,
-          [&x, part](double, double to) -> Eigen::VectorXd {
-            const Array beyond = (as_array(x) - to).min(0.0);
-            return part(beyond, beyond.sign().abs()).matrix();
+          [&x](double, double to) -> Eigen::VectorXd {
+            return (as_array(x) - to).min(0.0).matrix();
           });
     }
   }
@@ -100,16 +81,14 @@ class Collector {
   }
 
   /// Something that changes at one time: a step, or another size from then on.
-  void events(const std::string& what, Path path, const Array& carrier, int count,
-              const Part& part = whole) {
+  void events(const std::string& what, Path path, const Array& carrier, int count) {
     const double end = m_.t.back();
     for (int i = 1; i < count; ++i) {
       const double at = end * (0.08 + 0.84 * i / count);
       add(what, path, "time_s", at, end,
-          [&m = m_, carrier, part](double from, double to) -> Eigen::VectorXd {
+          [&m = m_, carrier](double from, double to) -> Eigen::VectorXd {
             const auto t = as_array(m.t);
-            const Array then = (t > from && t <= to).cast<double>();
-            return part(then * carrier, then).matrix();
+            return (t > from && t <= to).select(carrier, 0.0).matrix();
           });
       if (!out_.empty()) out_.back().at_once = true;
     }
@@ -177,14 +156,11 @@ void in_the_drive(const Motion& m, Collector& c) {
   c.shaped("drag that grows with the cube of the velocity", Path::drive, "input_velocity_rad_s",
            m.w, w.cube());
   c.shaped("a drag to one side", Path::drive, "input_velocity_rad_s", m.w, w.abs());
-  const Part part = beside(m.current);
-  c.shaped("a motor that saturates", Path::drive, "current_a", m.current,
-           part(current * current.abs(), 2.0 * current.abs()));
-  c.shaped("a motor that saturates", Path::drive, "current_a", m.current,
-           part(current.cube(), 3.0 * current.square()));
-  c.hinges(m.current, "current_a", Path::drive, part);
+  c.shaped("a motor that saturates", Path::drive, "current_a", m.current, current * current.abs());
+  c.shaped("a motor that saturates", Path::drive, "current_a", m.current, current.cube());
+  c.hinges(m.current, "current_a", Path::drive);
   c.events("the drive's torque jumps", Path::drive, Array::Ones(w.size()), 20);
-  c.events("the motor's torque constant jumps", Path::drive, current, 16, part);
+  c.events("the motor's torque constant jumps", Path::drive, current, 16);
   c.events("the friction changes", Path::drive, sign, 20);
   if (m.has_spring()) {
     c.bumps(m.theta, "deflection_rad", Path::drive, 10);

@@ -115,6 +115,18 @@ TEST(Diagnose, SaysThatAWeightMayHangWhereItCannotBeSeen) {
   EXPECT_NE(weight->why.find("at its least visible phase"), std::string::npos) << weight->why;
 }
 
+/// A nameless function of the current would take back the current's noise while the torque constant
+/// grew, and push the friction out.
+TEST(Diagnose, NamesFrictionUnderOneSineAndANoisyCurrent) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    SimulatedActuator rig;
+    rig.one_sine = true, rig.coulomb = 0.2, rig.noise_a = 0.1, rig.seed = seed;
+    const Diagnosis d = diagnose(rig.record(), rig.paper());
+    EXPECT_EQ(names(d), std::set<std::string>{"drive.coulomb"}) << "seed " << seed;
+    EXPECT_FALSE(d.unexplained) << d.unexplained->what << ", seed " << seed;
+  }
+}
+
 TEST(Diagnose, FindsTheNumbersOfThePapersEquationsWithoutAModel) {
   const SimulatedActuator rig;
   const Diagnosis d = diagnose(rig.record(), std::nullopt);

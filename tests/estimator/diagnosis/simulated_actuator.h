@@ -21,6 +21,7 @@ struct SimulatedActuator {
   double memory = 0;       ///< of that noise from one sample to the next
   double noise_a = 0.01;   ///< of the current
   double module_step_s = 0.005, loadcell_step_s = 0.02;
+  bool one_sine = false;  ///< 1 Hz alone: little can be told apart
   unsigned seed = 1;
 
   struct Wave {
@@ -45,8 +46,21 @@ struct SimulatedActuator {
     return out;
   }
 
+  Wave bent(double t) const {
+    if (!one_sine) return deflection(t);
+    Wave out;
+    out.add(0.12, 1.0, 0.0, t);
+    return out;
+  }
+  Wave swung(double t) const {
+    if (!one_sine) return output(t);
+    Wave out;
+    out.add(0.1, 1.0, 1.9, t);
+    return out;
+  }
+
   double torque(double t) const {
-    const Wave d = deflection(t);
+    const Wave d = bent(t);
     return k * d.value + viscous * d.rate + cubic * std::pow(d.value, 3);
   }
 
@@ -55,7 +69,7 @@ struct SimulatedActuator {
     std::normal_distribution<double> gauss;
     Signals s;
     for (double t = 0; t < seconds; t += module_step_s) {
-      const Wave d = deflection(t), o = output(t);
+      const Wave d = bent(t), o = swung(t);
       const double w = d.rate + o.rate, a = d.bend + o.bend;
       s.module.t_s.push_back(t);
       s.module.deflection_rad.push_back(d.value);
