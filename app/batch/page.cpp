@@ -3,6 +3,8 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "app/batch/columns.h"
@@ -175,8 +177,10 @@ void add_findings(HtmlReport& page, const Summary& summary) {
     ++verdicts[answer.at("verdict")];
     for (const json& finding : answer.at("findings"))
       found[finding.at("effect")].push_back(finding.at("probability"));
+    std::set<std::string> here;  // an effect may be open for more than one reason
     for (const json& one : answer.at("undecidable"))
-      for (const json& effect : one.at("effects")) ++open[effect];
+      for (const json& effect : one.at("effects")) here.insert(effect);
+    for (const std::string& effect : here) ++open[effect];
   }
   page.heading("Verdicts");
   page.table({"Verdict", "Recordings"}, counted(verdicts));

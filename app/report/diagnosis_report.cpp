@@ -208,7 +208,7 @@ void write_open_questions(HtmlReport& report, const Diagnosis& d) {
     report.paragraph(capital(u.what.empty() ? "a repeatable mismatch" : u.what) +
                      (place.empty() ? "." : ", at " + place + ".") + " It is " +
                      number(100.0 * u.located.share, 0) +
-                     " % of the mismatch, and no effect of the catalogue explains it.");
+                     " % of the mismatch, and nothing in the catalogue explains it best.");
   }
   if (!d.undecidable.empty()) {
     report.heading("What this recording cannot decide");

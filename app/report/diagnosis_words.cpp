@@ -84,7 +84,7 @@ std::string recalibrate_headline(const Diagnosis& d) {
 
 std::string unexplained_headline(const Diagnosis& d) {
   std::string out =
-      "The simulation leaves something out, and no effect of the catalogue explains it.";
+      "The simulation leaves something out, and nothing in the catalogue explains it best.";
   if (!d.unexplained) return out;
   if (const std::string place = where(d.unexplained->located); !place.empty()) {
     out += " It shows at " + place + ".";
