@@ -102,6 +102,11 @@ void LiveFeed::run() {
   }
 }
 
+double LiveNews::time_of(const acquisition::Event& event) const {
+  const double heard_s = newest_host_s > 0.0 ? newest_host_s : acquisition::host_now_s();
+  return now_s - (heard_s - event.host_s);
+}
+
 LiveNews LiveFeed::take() {
   LiveNews news;
   {

@@ -25,8 +25,11 @@ struct LiveNews {
   std::optional<acquisition::ClockMap> clock;
   acquisition::Listener::Report module, loadcell;
   double now_s = 0.0;          ///< the newest sample
-  double newest_host_s = 0.0;  ///< when it arrived
+  double newest_host_s = 0.0;  ///< when it arrived; 0 before the first
   std::vector<double> counts;  ///< of the load cell since then, as they came
+
+  /// When an event was, on the axis of the plots, s. Until a sample has come it is now.
+  double time_of(const acquisition::Event& event) const;
 };
 
 class LiveFeed {

@@ -137,10 +137,9 @@ void LivePage::show_numbers() {
 void LivePage::note_events(const LiveNews& news) {
   for (const auto& event : news.events) {
     if (event.kind == "identity" || event.kind == "wrap") continue;
-    const double ago_s = news.newest_host_s - event.host_s;
     events_->insertItem(0,
                         QStringLiteral("%1 s   %2")
-                            .arg(said(news.now_s - ago_s, 1), QString::fromStdString(event.text)));
+                            .arg(said(news.time_of(event), 1), QString::fromStdString(event.text)));
   }
   while (events_->count() > most_events) delete events_->takeItem(events_->count() - 1);
 }
