@@ -1,6 +1,7 @@
 // A hundred connections of the window to the simulated rig with its real firmware.
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -15,7 +16,7 @@
 #include "tests/temporary_folder.h"
 
 #ifdef __SANITIZE_ADDRESS__
-#include <sanitizer/allocator_interface.h>
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // gcc 12 ships no header of it
 #endif
 
 namespace searig::app::desktop {
