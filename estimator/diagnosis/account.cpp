@@ -94,8 +94,7 @@ class Accountant {
   void refine_atoms() {
     for (std::size_t i = 0; i < out_.final.hypothesis.size(); ++i) {
       if (!out_.final.hypothesis[i].atom || joined(i)) continue;
-      Hypothesis rest = out_.final.hypothesis;
-      rest.erase(rest.begin() + std::ptrdiff_t(i));
+      const Hypothesis rest = all_but(out_.final.hypothesis, i);
       out_.moved_atoms.push_back(refined(bench_, rest, *out_.final.hypothesis[i].atom));
       out_.final.hypothesis[i].atom = &out_.moved_atoms.back();
     }
@@ -173,8 +172,7 @@ class Accountant {
     for (std::size_t i = 0; i < out_.final.hypothesis.size(); ++i) {
       const Atom* atom = out_.final.hypothesis[i].atom;
       if (!atom) continue;
-      Hypothesis rest = out_.final.hypothesis;
-      rest.erase(rest.begin() + std::ptrdiff_t(i));
+      const Hypothesis rest = all_but(out_.final.hypothesis, i);
       if (!misleads(bench_, *atom, out_.final.hypothesis, rest)) continue;
       out_.final = search_.score(rest);
       return true;

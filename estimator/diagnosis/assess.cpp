@@ -75,10 +75,8 @@ double beyond_form(double share) {
 Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t piece) {
   Assessment out;
   out.piece = piece;
-  Hypothesis rest = final.hypothesis;
-  const Piece own = rest[piece];
-  rest.erase(rest.begin() + std::ptrdiff_t(piece));
-  const Step step = search.step(rest);
+  const Piece& own = final.hypothesis[piece];
+  const Step step = search.step(all_but(final.hypothesis, piece));
   out.without = step.before.hypothesis;
   out.gain = step.before.cost() - final.cost();
   out.rho = strength(bench, step.before, final);
@@ -114,9 +112,7 @@ Assessment assess(Search& search, Bench& bench, const Scored& final, std::size_t
 }
 
 std::set<std::string> names_near(Search& search, const Scored& final, std::size_t atom) {
-  Hypothesis rest = final.hypothesis;
-  rest.erase(rest.begin() + std::ptrdiff_t(atom));
-  const Step step = search.step(rest);
+  const Step step = search.step(all_but(final.hypothesis, atom));
   const Rivalry rivalry(search, final, step);
   std::set<std::string> out;
   for (const auto& c : step.named)

@@ -20,7 +20,7 @@ std::string key_of(const Piece& piece, double delay_s, double lag_s) {
   std::string key(sizeof(void*) * 2 + sizeof(double) * (piece.shape.size() + 2), '\0');
   char* at = key.data();
   const auto put = [&at](const void* from, std::size_t n) {
-    std::memcpy(at, from, n);
+    if (n > 0) std::memcpy(at, from, n);  // an effect without a shape has no data to point to
     at += n;
   };
   put(&piece.effect, sizeof piece.effect);
@@ -32,6 +32,11 @@ std::string key_of(const Piece& piece, double delay_s, double lag_s) {
 }
 
 }  // namespace
+
+Hypothesis all_but(Hypothesis hypothesis, std::size_t piece) {
+  hypothesis.erase(hypothesis.begin() + std::ptrdiff_t(piece));
+  return hypothesis;
+}
 
 Seen seen_by(const Hypothesis& hypothesis) {
   Seen seen;

@@ -77,7 +77,7 @@ class Bench {
   /// The same with nothing but their priors to hold the nuisances.
   Fit unbounded_fit(const Hypothesis& hypothesis) const;
   /// Residual before whitening, in N*m, prior rows included.
-  Eigen::VectorXd raw_residual(const Hypothesis& hypothesis, const Fit& fit) const;
+  Eigen::VectorXd raw_residual(const Hypothesis& hypothesis) const;
   /// One piece's whitened columns, as the load cell sees them at the given delay and lag.
   const Eigen::MatrixXd& columns(const Piece& piece, double delay_s, double lag_s) const;
   /// The same before whitening, one column per amplitude, prior rows included.
@@ -122,6 +122,8 @@ class Bench {
   };
   mutable Cache raw_cache_, cache_;
 };
+
+Hypothesis all_but(Hypothesis hypothesis, std::size_t piece);
 
 /// Delay and lag that a hypothesis holds; zero where it has none.
 struct Seen {

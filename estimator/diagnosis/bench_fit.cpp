@@ -136,9 +136,10 @@ Fit Bench::fit(const Hypothesis& hypothesis) const {
   return out;
 }
 
-Eigen::VectorXd Bench::raw_residual(const Hypothesis& hypothesis, const Fit& fitted) const {
+Eigen::VectorXd Bench::raw_residual(const Hypothesis& hypothesis) const {
   Fit ignored;
-  Eigen::VectorXd out = -(assemble(hypothesis, ignored, false) * fitted.solution.coefficients);
+  Eigen::VectorXd out =
+      -(assemble(hypothesis, ignored, false) * fit(hypothesis).solution.coefficients);
   out.head(experiment_.rows()) += experiment_.measured;
   return out;
 }

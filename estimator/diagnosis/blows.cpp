@@ -58,7 +58,7 @@ std::pair<double, double> while_loud(const Experiment& e, const Eigen::VectorXd&
 
 std::optional<Unexplained> blows(const Bench& bench, const Hypothesis& hypothesis) {
   const Experiment& e = bench.experiment();
-  const Eigen::VectorXd raw = bench.raw_residual(hypothesis, bench.fit(hypothesis));
+  const Eigen::VectorXd raw = bench.raw_residual(hypothesis);
   const auto counts = [&](Eigen::Index i) {  // held rows share one error: many of them are one
     return e.usable[std::size_t(i)] && e.weight[std::size_t(i)] > 0.9;
   };

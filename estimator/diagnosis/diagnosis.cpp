@@ -78,8 +78,7 @@ class Diagnostician {
       amplitudes.push_back(piece.effect->amplitudes(term, given_));
     }
     const PathResiduals given = given_residuals(bench_, as_given, amplitudes);
-    const Eigen::VectorXd left =
-        bench_.raw_residual(account.final.hypothesis, bench_.fit(account.final.hypothesis));
+    const Eigen::VectorXd left = bench_.raw_residual(account.final.hypothesis);
     if (e.has_spring())
       out_.spring =
           errors(before.spring, after.spring, given.spring, usable_rms(left, 0, e.loadcell_rows()));

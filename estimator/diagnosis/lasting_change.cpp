@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimator/diagnosis/left.h"
 #include "estimator/diagnosis/refine.h"
 #include "estimator/diagnosis/unnamed.h"
 
@@ -19,45 +20,15 @@ constexpr double longest_while = 0.6, longest_for_good = 0.85;
 Bench without_memory(const Bench& bench, const Hypothesis& hypothesis) {
   const Experiment& e = bench.experiment();
   Bench out = bench;
-  out.set_noise(
-      Whitening(e, bench.raw_residual(hypothesis, bench.fit(hypothesis)).head(e.rows()), false));
+  out.set_noise(Whitening(e, bench.raw_residual(hypothesis).head(e.rows()), false));
   return out;
-}
-
-struct Left {
-  Eigen::VectorXd residual;  // in N*m
-  std::vector<bool> usable;
-
-  double power() const {
-    double sum = 0.0;
-    for (Eigen::Index i = 0; i < residual.size(); ++i)
-      if (usable[std::size_t(i)]) sum += residual[i] * residual[i];
-    return sum;
-  }
-  /// -2 log likelihood under the noise that makes it likeliest, up to constants.
-  double badness() const {
-    const double rows = double(std::ranges::count(usable, true));
-    return 2.0 * rows * std::log(fit_autoregression(residual, usable, Whitening::order).sd);
-  }
-};
-
-/// Of the load cell's rows, or of the drive's.
-Left left_of(const Bench& bench, const Eigen::VectorXd& residual, bool drive) {
-  const Experiment& e = bench.experiment();
-  const Eigen::Index from = drive ? e.loadcell_rows() : 0,
-                     to = drive ? e.rows() : e.loadcell_rows();
-  return {residual.segment(from, to - from), {e.usable.begin() + from, e.usable.begin() + to}};
-}
-
-Eigen::VectorXd residual_of(const Bench& bench, const Hypothesis& hypothesis) {
-  return bench.raw_residual(hypothesis, bench.fit(hypothesis));
 }
 
 }  // namespace
 
 std::optional<Atom> lasting_change(const Bench& bench, const Hypothesis& hypothesis) {
   const Bench plain = without_memory(bench, hypothesis);
-  const Eigen::VectorXd residual = residual_of(plain, hypothesis);
+  const Eigen::VectorXd residual = plain.raw_residual(hypothesis);
   const double end_s = bench.experiment().motion.t.back();
   std::optional<Atom> best;
   double most = least_gain;
@@ -70,7 +41,7 @@ std::optional<Atom> lasting_change(const Bench& bench, const Hypothesis& hypothe
     Hypothesis with = hypothesis;
     with.push_back({nullptr, {}, &atom});
     const Left before = left_of(plain, residual, drive);
-    const Left after = left_of(plain, residual_of(plain, with), drive);
+    const Left after = left_of(plain, plain.raw_residual(with), drive);
     if (before.power() - after.power() < least_share * before.power()) continue;
     const double gain = before.badness() - after.badness();
     if (gain > most) most = gain, best = atom;

@@ -12,8 +12,8 @@ namespace {
 /// Change of each usable row's prediction, squared, in units of the noise.
 Eigen::VectorXd energy(const Bench& bench, const Hypothesis& without, const Hypothesis& with) {
   const Experiment& e = bench.experiment();
-  const Eigen::VectorXd change = bench.whitening()(bench.raw_residual(without, bench.fit(without)) -
-                                                   bench.raw_residual(with, bench.fit(with)));
+  const Eigen::VectorXd change =
+      bench.whitening()(bench.raw_residual(without) - bench.raw_residual(with));
   Eigen::VectorXd out = Eigen::VectorXd::Zero(e.rows());
   for (Eigen::Index i = 0; i < e.rows(); ++i)
     if (e.usable[std::size_t(i)]) out[i] = change[i] * change[i];

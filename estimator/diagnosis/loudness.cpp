@@ -77,7 +77,7 @@ std::vector<std::pair<double, double>> loud_intervals(const std::vector<Second>&
 
 std::optional<Unexplained> loud_while(const Bench& bench, const Hypothesis& hypothesis) {
   const Experiment& e = bench.experiment();
-  const Eigen::VectorXd raw = bench.raw_residual(hypothesis, bench.fit(hypothesis));
+  const Eigen::VectorXd raw = bench.raw_residual(hypothesis);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(e.rows());
   load.head(e.loadcell_rows()) = e.loadcell_nm.head(e.loadcell_rows());
   if (e.has_drive()) load.tail(e.drive_rows()) = e.at_drive(as_array(e.motion.w).matrix());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimator/diagnosis/left.h"
 #include "estimator/diagnosis/parameters.h"
 #include "estimator/diagnosis/polish.h"
 #include "estimator/physics/catalogue.h"
@@ -75,8 +76,8 @@ Step Search::step(const Hypothesis& from) {
       // From the shapes as they are: without what is missing they may run away.
       Contender c{pieces, score(with(from, pieces)), 0.0};
       c.gain = out.before.cost() - c.scored.cost();
-      const Atom* atom = pieces.front().atom;
-      if (atom ? explains(*atom, c, out.before) : believable(c)) into.push_back(std::move(c));
+      const bool atom = pieces.front().atom;
+      if (atom ? explains(c, out.before) : believable(c)) into.push_back(std::move(c));
       if (atom && into.size() == most_unnamed) break;
     }
     std::ranges::sort(into, std::greater{}, &Contender::gain);
@@ -86,21 +87,13 @@ Step Search::step(const Hypothesis& from) {
   return out;
 }
 
-/// In newton metres, before whitening.
-double Search::left_of_drive(const Hypothesis& hypothesis) const {
-  const Experiment& e = bench_.experiment();
-  const Eigen::VectorXd residual = bench_.raw_residual(hypothesis, bench_.fit(hypothesis));
-  double sum = 0.0;
-  for (Eigen::Index row = e.loadcell_rows(); row < e.rows(); ++row)
-    if (e.usable[std::size_t(row)]) sum += residual[row] * residual[row];
-  return sum;
-}
-
 /// The drive's residual counts in amperes. A function of the current can take back the current's
 /// errors while the torque constant grows, which gains, yet leaves more newton metres than before.
-bool Search::explains(const Atom& atom, const Contender& c, const Scored& from) const {
-  return atom.path != Path::drive ||
-         left_of_drive(c.scored.hypothesis) < left_of_drive(from.hypothesis);
+bool Search::explains(const Contender& c, const Scored& from) const {
+  const auto power = [&](const Scored& s) {
+    return left_of(bench_, bench_.raw_residual(s.hypothesis), true).power();
+  };
+  return c.pieces.front().atom->path != Path::drive || power(c.scored) < power(from);
 }
 
 bool Search::at_its_bound(const Piece& piece) const {
@@ -208,8 +201,8 @@ Scored Search::add_either(Scored from, int most) {
 
 double strength(Bench& bench, const Scored& without, const Scored& with) {
   const Experiment& e = bench.experiment();
-  const Eigen::VectorXd a = bench.raw_residual(without.hypothesis, bench.fit(without.hypothesis));
-  const Eigen::VectorXd b = bench.raw_residual(with.hypothesis, bench.fit(with.hypothesis));
+  const Eigen::VectorXd a = bench.raw_residual(without.hypothesis);
+  const Eigen::VectorXd b = bench.raw_residual(with.hypothesis);
   double largest = 0.0;
   const auto in_block = [&](Eigen::Index from, Eigen::Index to) {
     double change = 0.0, left = 0.0;

@@ -73,14 +73,14 @@ class Search {
   /// Whether the contender is strong enough to be asserted.
   bool passes(const Contender& contender, const Scored& from);
 
+  /// And large enough beside the others: small remains of what they explain do not count.
+  bool stands_out(const Contender& contender, const Scored& from);
+
   /// Whether blocks that a fit has not seen are the better for it.
   bool predicts(const Contender& contender, const Scored& from) const;
 
   /// Sum of squares, whitened, of blocks that were each predicted by a fit that did not see them.
   double heldout(const Hypothesis& hypothesis) const;
-
-  /// The same for an atom; small remains of what other terms explain do not count.
-  bool stands_out(const Contender& contender, const Scored& from);
 
   const Criteria& criteria() const { return criteria_; }
 
@@ -101,8 +101,7 @@ class Search {
   Hypothesis with(Hypothesis from, const std::vector<Piece>& pieces) const;
   bool believable(const Contender& contender);
   bool at_its_bound(const Piece& piece) const;
-  double left_of_drive(const Hypothesis& hypothesis) const;
-  bool explains(const Atom& atom, const Contender& contender, const Scored& from) const;
+  bool explains(const Contender& contender, const Scored& from) const;
 
   Bench& bench_;
   const std::vector<Atom>& atoms_;

@@ -77,7 +77,7 @@ double take_step_out(Residual& r) {
 
 std::optional<Unexplained> wanders(const Bench& bench, const Hypothesis& hypothesis) {
   const Experiment& e = bench.experiment();
-  const Eigen::VectorXd raw = bench.raw_residual(hypothesis, bench.fit(hypothesis));
+  const Eigen::VectorXd raw = bench.raw_residual(hypothesis);
   Residual residual;
   for (Eigen::Index i = 0; i < e.loadcell_rows(); ++i)
     if (e.usable[std::size_t(i)]) residual.t.push_back(e.time(i)), residual.x.push_back(raw[i]);
