@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "estimator/diagnosis/bench.h"
+#include "estimator/diagnosis/free_scale.h"
 
 namespace searig::estimator {
 namespace {

@@ -34,6 +34,8 @@ struct Experiment {
   double clock_sd_s = 0.0;  ///< what the clock map leaves open, one standard deviation
   double torque_rms = 0.0;  ///< of the load cell
 
+  static constexpr double edge_s = 0.1;  ///< at both ends, where filters have too little to go by
+
   bool has_spring() const { return !loadcell_t.empty() && motion.has_spring(); }
   bool has_drive() const { return !drive_t.empty(); }
   Eigen::Index loadcell_rows() const { return has_spring() ? loadcell_nm.size() : 0; }

@@ -7,43 +7,17 @@
 #include "estimator/diagnosis/doubt.h"
 #include "estimator/diagnosis/heldout.h"
 #include "estimator/diagnosis/locate.h"
+#include "estimator/diagnosis/nameless.h"
 #include "estimator/diagnosis/next_experiment.h"
 #include "estimator/diagnosis/parameters.h"
 #include "estimator/diagnosis/polish.h"
 #include "estimator/diagnosis/remainder.h"
+#include "estimator/diagnosis/removed.h"
 #include "estimator/diagnosis/undecidable.h"
 #include "estimator/physics/catalogue.h"
 
 namespace searig::estimator {
 namespace {
-
-double share_removed(double before, double after, double floor) {
-  return std::clamp(
-      (before * before - after * after) / std::max(1e-30, before * before - floor * floor), 0.0,
-      1.0);
-}
-
-/// Held-out rms of one path without and with a piece, and the share of the mismatch it removes.
-struct Removed {
-  double before_nm = 0.0, after_nm = 0.0, share = 0.0;
-};
-
-Removed removed_from(const Eigen::VectorXd& before, const Eigen::VectorXd& after,
-                     const std::optional<PathErrors>& path) {
-  if (!path) return {};
-  const double b = rms_of(before), a = rms_of(after);
-  return {b, a, share_removed(b, a, std::min(path->after, path->noise_floor))};
-}
-
-/// In the path that the piece enters; what the rig does enters both, and counts where it does more.
-Removed removed(const PathResiduals& before, const PathResiduals& after, Path path,
-                const Diagnosis& out) {
-  const Removed spring = removed_from(before.spring, after.spring, out.spring);
-  const Removed drive = removed_from(before.drive, after.drive, out.drive);
-  if (path == Path::drive || !out.spring) return drive;
-  if (path == Path::spring || !out.drive) return spring;
-  return drive.share > spring.share ? drive : spring;
-}
 
 /// Nature's form of an effect is not the catalogue's, so that the number of the one is known of the
 /// other to a share of itself at best, however quiet the recording is.
@@ -73,60 +47,6 @@ Finding finding(const Bench& bench, const Account& account, const PathResiduals&
   f.next_experiment = piece.effect->about().separated_by;
   return f;
 }
-
-/// A region of the load cell's torque, which is guessed from the model, as one of the deflection,
-/// which is measured.
-std::optional<Region> as_deflection(const Experiment& e, const std::vector<Region>& regions) {
-  if (regions.empty() || regions.front().channel != "loadcell_torque_nm") return std::nullopt;
-  std::vector<double> inside;
-  for (std::size_t i = 0; i < e.motion.theta.size(); ++i)
-    if (e.motion.spring_nm[i] >= regions.front().from &&
-        e.motion.spring_nm[i] <= regions.front().to)
-      inside.push_back(e.motion.theta[i]);
-  if (inside.empty()) return std::nullopt;
-  const auto [low, high] = std::ranges::minmax_element(inside);
-  return Region{"deflection_rad", *low, *high};
-}
-
-/// An atom that is local says itself where.
-void place(const Atom& atom, const Experiment& e, Located& located) {
-  const double start_s = e.start_s;
-  if (atom.at_once)
-    located.intervals_s = {{start_s + atom.from - 0.5, start_s + atom.from + 0.5}};
-  else if (atom.at && atom.channel == "time_s")
-    located.intervals_s = {{start_s + atom.from, start_s + atom.to}};
-  else if (atom.at)
-    located.regions = {{atom.channel, atom.from, atom.to}};
-  if (const auto d = as_deflection(e, located.regions)) located.regions.push_back(*d);
-  if (atom.channel == "time_s") located.regions.clear();
-}
-
-/// Atoms in the final hypothesis are the mismatch that has no name.
-std::optional<Unexplained> nameless(const Bench& bench, const Hypothesis& final,
-                                    const PathResiduals& after, std::size_t atoms_tried,
-                                    const Diagnosis& out) {
-  Hypothesis without = final;
-  std::vector<const Atom*> atoms;
-  std::erase_if(without, [&](const Piece& p) {
-    if (p.atom) atoms.push_back(p.atom);
-    return p.atom != nullptr;
-  });
-  if (atoms.empty()) return std::nullopt;
-  const Atom& first = *atoms.front();
-  Unexplained u;
-  u.what = first.what;
-  u.located = locate(bench, without, final, first.path, first.channel);
-  place(first, bench.experiment(), u.located);
-  u.located.share = removed(heldout_residuals(bench, without), after, first.path, out).share;
-  // Bonferroni over all atoms that were tried, each one degree of freedom.
-  const double gain = bench.fit(without).solution.sse - bench.fit(final).solution.sse;
-  u.p_value = std::min(1.0, double(atoms_tried) * std::erfc(std::sqrt(std::max(0.0, gain) / 2.0)));
-  return u;
-}
-
-}  // namespace
-
-namespace {
 
 constexpr double telling = 30.0;  // in deviance: less does not settle it
 

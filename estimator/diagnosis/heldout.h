@@ -18,6 +18,9 @@ PathResiduals heldout_residuals(const Bench& bench, const Hypothesis& hypothesis
 PathResiduals given_residuals(const Bench& bench, const Hypothesis& hypothesis,
                               const std::vector<Eigen::VectorXd>& amplitudes);
 
+/// Of a held-out error: so much is chance.
+inline constexpr double heldout_chance = 0.003;
+
 /// Logarithm of how much larger the errors of one hypothesis are on blocks that no fit saw than
 /// those of the other, all paths taken together; negative where it predicts better.
 double worse_by(const Bench& bench, const Hypothesis& one, const Hypothesis& other);

@@ -1,39 +1,10 @@
 #include "estimator/diagnosis/regression.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
-#include <utility>
+
+#include "estimator/diagnosis/normal_equations.h"
 
 namespace searig::estimator {
-namespace {
-
-Eigen::VectorXd inverse_norms(const Eigen::MatrixXd& columns) {
-  Eigen::VectorXd out = columns.colwise().norm();
-  for (double& n : out) n = n > 0 ? 1.0 / n : 0.0;
-  return out;
-}
-
-/// Cholesky factors of the scaled normal equations; a trace of ridge carries columns that others
-/// span, and columns of zeros get a one on the diagonal.
-Eigen::LDLT<Eigen::MatrixXd> factors(Eigen::MatrixXd normal) {
-  for (double& d : normal.diagonal()) d = d > 0 ? d + 1e-11 : 1.0;
-  return Eigen::LDLT<Eigen::MatrixXd>(normal);
-}
-
-Eigen::MatrixXd product(const Eigen::MatrixXd& columns) {
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
-  out.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
-  return out.selfadjointView<Eigen::Lower>();
-}
-
-Eigen::VectorXd deviations(const Eigen::LDLT<Eigen::MatrixXd>& normal) {
-  const Eigen::MatrixXd inverse =
-      normal.solve(Eigen::MatrixXd::Identity(normal.rows(), normal.rows()));
-  return inverse.diagonal().cwiseMax(0.0).cwiseSqrt();
-}
-
-}  // namespace
 
 Solution solve(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right) {
   const Eigen::VectorXd scale = inverse_norms(columns);
@@ -46,99 +17,6 @@ Solution solve(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right) {
   out.residual = right - columns * out.coefficients;
   out.sse = out.residual.squaredNorm();
   out.sd = scale.cwiseProduct(deviations(normal));
-  return out;
-}
-
-namespace {
-
-/// Normal equations of some rows.
-struct Share {
-  Eigen::MatrixXd normal;
-  Eigen::VectorXd moment;
-  double square;
-
-  Share(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right)
-      : normal(product(columns)),
-        moment(columns.transpose() * right),
-        square(right.squaredNorm()) {}
-
-  /// Sum of squares at x + along*direction, as a polynomial in `along`.
-  Eigen::Vector3d squares(const Eigen::VectorXd& x, const Eigen::VectorXd& direction) const {
-    const Eigen::VectorXd slope = moment - normal * x;
-    return {square - x.dot(moment) - x.dot(slope), -2.0 * direction.dot(slope),
-            direction.dot(normal * direction)};
-  }
-};
-
-double at(const Eigen::Vector3d& polynomial, double x) {
-  return polynomial[0] + x * (polynomial[1] + x * polynomial[2]);
-}
-
-/// Where a function with one minimum has it, by golden sections.
-template <class F>
-double least(const F& f, double low, double high) {
-  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-  double a = high - golden * (high - low), b = low + golden * (high - low);
-  double fa = f(a), fb = f(b);
-  while (high - low > 1e-9) {
-    if (fa < fb) {
-      high = b, b = a, fb = fa, a = high - golden * (high - low), fa = f(a);
-    } else {
-      low = a, a = b, fa = fb, b = low + golden * (high - low), fb = f(b);
-    }
-  }
-  return 0.5 * (low + high);
-}
-
-}  // namespace
-
-Solution solve(Eigen::MatrixXd& columns, Eigen::VectorXd& right, const FreeScale& s) {
-  const Eigen::VectorXd scale = inverse_norms(columns);
-  const Eigen::MatrixXd scaled = columns * scale.asDiagonal();
-  const Share own(scaled.middleRows(s.first_row, s.rows), right.segment(s.first_row, s.rows));
-  Share rest(scaled, right);
-  rest.normal -= own.normal, rest.moment -= own.moment, rest.square -= own.square;
-  const auto unit = Eigen::VectorXd::Unit(scaled.cols(), s.column);
-  constexpr double furthest = 4.6;  // a hundredfold, as a logarithm
-  double weight = 1.0;              // (reference/g)^2
-  Eigen::VectorXd x;
-  Eigen::LDLT<Eigen::MatrixXd> normal;
-  for (int round = 0; round < 20; ++round) {
-    normal = factors(rest.normal + weight * own.normal);
-    x = normal.solve(rest.moment + weight * own.moment);
-    const double shrunk = x[s.column] * scale[s.column];
-    if (shrunk <= 0.0) break;
-    // At the minimum the gradient is that of 1/g^2 alone, so it lies from here in this direction.
-    const Eigen::VectorXd direction = normal.solve(unit);
-    const auto others = rest.squares(x, direction), those = own.squares(x, direction);
-    const auto along = [&](double log_growth) {
-      return x[s.column] * std::expm1(log_growth) / direction[s.column];
-    };
-    const auto relative = [&](double log_growth) {
-      return std::pow(s.reference / (shrunk * std::exp(log_growth)), 2);
-    };
-    const double best = least(
-        [&](double growth) {
-          return at(others, along(growth)) + relative(growth) * at(those, along(growth));
-        },
-        0.0, furthest);
-    x += along(best) * direction;
-    const double before = std::exchange(weight, relative(best));
-    if (std::abs(weight - before) < 1e-7 * weight) break;
-  }
-  Solution out;
-  out.coefficients = scale.cwiseProduct(x);
-  out.sd = scale.cwiseProduct(deviations(normal));
-  const double g = out.coefficients[s.column];
-  auto those = columns.middleRows(s.first_row, s.rows);
-  those *= std::sqrt(weight), right.segment(s.first_row, s.rows) *= std::sqrt(weight);
-  out.residual = right - columns * out.coefficients;
-  if (g > 0.0) {
-    const Eigen::VectorXd left = out.residual.segment(s.first_row, s.rows);
-    those.col(s.column) += left / g;
-    right.segment(s.first_row, s.rows) += left;
-  }
-  out.sse = out.residual.squaredNorm();
   return out;
 }
 

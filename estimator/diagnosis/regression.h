@@ -16,21 +16,6 @@ struct Solution {
 /// Scaled normal equations with one step of refinement; a column of zeros gets the coefficient 0.
 Solution solve(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right);
 
-/// Rows that read 0 = column*g - the rest. They hold at any scale, zero included, so least squares
-/// shrinks everything by what their errors weigh; but the errors are those of the column, and count
-/// relative to g.
-struct FreeScale {
-  Eigen::Index column, first_row, rows;
-  double reference;  ///< the g for which the rows are whitened
-};
-
-/// Minimises |other rows|^2 + (reference/g)^2 |those rows|^2. On return columns and right side are
-/// linearised about the solution: those rows carry reference/g, and in them the measured column is
-/// replaced by what the rest makes of it, so that ordinary least squares gives the same answer.
-/// (A functional relation with errors in one variable; W. Fuller, Measurement Error Models, 1987.)
-/// `sd` is that of the linearised problem but for these errors.
-Solution solve(Eigen::MatrixXd& columns, Eigen::VectorXd& right, const FreeScale& scale);
-
 /// A fixed set of columns that candidates are held against.
 class Projection {
  public:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimator/diagnosis/atom_collector.h"
 #include "estimator/physics/single_amplitude.h"
 
 namespace searig::estimator {
@@ -10,123 +11,11 @@ namespace {
 
 using Array = Eigen::ArrayXd;
 
-class Collector {
- public:
-  Collector(const Motion& motion, std::vector<Atom>& out) : m_(motion), out_(out) {}
-
-  using Make = std::function<Eigen::VectorXd(double from, double to)>;
-
-  void add(std::string what, Path path, std::string channel, double from, double to,
-           const Array& feature, Make at = {}) {
-    if (feature.size() == 0 || !feature.allFinite() || feature.abs().maxCoeff() <= 0) return;
-    out_.push_back(
-        {std::move(what), path, std::move(channel), from, to, false, feature.matrix(), at});
-  }
-
-  void add(std::string what, Path path, std::string channel, double from, double to,
-           const Make& at) {
-    add(std::move(what), path, std::move(channel), from, to, at(from, to).array(), at);
-  }
-
-  /// Something that happens only near one value of x: a notch, a snag, a missing code.
-  void bumps(const std::vector<double>& x, const std::string& channel, Path path, int count,
-             const Array& carrier = {}) {
-    if (x.empty()) return;
-    const auto [low, high] = range(x);
-    if (!(high > low)) return;
-    for (const double width : {(high - low) / count, 0.35 * (high - low) / count})
-      for (double c = low; c <= high; c += width)
-        add("something that happens only near one value", path, channel, c - width, c + width,
-            [&x, carrier](double from, double to) -> Eigen::VectorXd {
-              const double centre = 0.5 * (from + to), sd = 0.25 * (to - from);
-              Array bump = (-0.5 * ((as_array(x) - centre) / sd).square()).exp();
-              if (carrier.size() > 0) bump *= carrier;
-              return bump.matrix();
-            });
-  }
-
-  /// Something that begins beyond a value of x: a stop, a snag to one side, saturation.
-  void hinges(const std::vector<double>& x, const std::string& channel, Path path) {
-    if (x.empty()) return;
-    const auto [low, high] = range(x);
-    for (const double share : {0.2, 0.4, 0.6, 0.75, 0.88, 0.94}) {
-      const double up = high * share, down = low * share;
-      add("something that begins beyond a value", path, channel, up, high,
-          [&x](double from, double) -> Eigen::VectorXd {
-            return (as_array(x) - from).max(0.0).matrix();
-          });
-      add("something that begins beyond a value", path, channel, low, down,
-          [&x](double, double to) -> Eigen::VectorXd {
-            return (as_array(x) - to).min(0.0).matrix();
-          });
-    }
-  }
-
-  /// A wave over an angle: an eccentric encoder, a guide that binds once per turn.
-  void waves(const std::vector<double>& angle, const std::string& channel, Path path, int count,
-             const Array& carrier = {}, double first = 1.0) {
-    if (angle.empty()) return;
-    const auto [low, high] = range(angle);
-    if (!(high > low)) return;
-    // Less than two thirds of a wave over the range is a constant or a slope, not a wave.
-    first = std::max(first, 4.0 / (high - low));
-    const double step = 0.5 * M_PI / (high - low);
-    for (int i = 0; i < count; ++i)
-      for (const bool cosine : {false, true}) {
-        const Array x = (first + i * step) * as_array(angle);
-        Array wave = (x + (cosine ? M_PI / 2 : 0.0)).sin();
-        if (carrier.size() > 0) wave *= carrier;
-        add("a wave over the angle", path, channel, low, high, wave);
-      }
-  }
-
-  /// Something that changes at one time: a step, or another size from then on.
-  void events(const std::string& what, Path path, const Array& carrier, int count) {
-    const double end = m_.t.back();
-    for (int i = 1; i < count; ++i) {
-      const double at = end * (0.08 + 0.84 * i / count);
-      add(what, path, "time_s", at, end,
-          [&m = m_, carrier](double from, double to) -> Eigen::VectorXd {
-            const auto t = as_array(m.t);
-            return (t > from && t <= to).select(carrier, 0.0).matrix();
-          });
-      if (!out_.empty()) out_.back().at_once = true;
-    }
-  }
-
-  /// Something that lasts for a while only.
-  void episodes(Path path, int count, const Array& carrier) {
-    const double end = m_.t.back();
-    for (int i = 0; i < count; ++i)
-      add("something that happens only for a while", path, "time_s", end * i / count,
-          end * (i + 1) / count, [&m = m_, carrier](double from, double to) -> Eigen::VectorXd {
-            const auto t = as_array(m.t);
-            return (t > from && t <= to).select(carrier, 0.0).matrix();
-          });
-  }
-
-  void shaped(std::string what, Path path, std::string channel, const std::vector<double>& x,
-              const Array& feature) {
-    if (x.empty()) return;
-    const auto [low, high] = range(x);
-    add(std::move(what), path, std::move(channel), low, high, feature);
-  }
-
- private:
-  static std::pair<double, double> range(const std::vector<double>& x) {
-    const auto [low, high] = std::ranges::minmax_element(x);
-    return {*low, *high};
-  }
-
-  const Motion& m_;
-  std::vector<Atom>& out_;
-};
-
 Array smooth_sign(const std::vector<double>& rate) {
   return (as_array(rate) / std::max(1e-12, 0.05 * rms(rate))).tanh();
 }
 
-void in_the_spring(const Motion& m, Collector& c) {
+void in_the_spring(const Motion& m, AtomCollector& c) {
   const auto theta = as_array(m.theta), rate = as_array(m.theta_rate);
   c.bumps(m.theta, "deflection_rad", Path::spring, 9);
   c.hinges(m.theta, "deflection_rad", Path::spring);
@@ -148,7 +37,7 @@ void in_the_spring(const Motion& m, Collector& c) {
   if (!m.q_i.empty()) c.waves(m.q_i, "input_angle_rad", Path::spring, 6);
 }
 
-void in_the_drive(const Motion& m, Collector& c) {
+void in_the_drive(const Motion& m, AtomCollector& c) {
   const auto w = as_array(m.w), current = as_array(m.current);
   const Array sign = (w / m.smoothing_rad_s).tanh();
   c.shaped("drag that grows with the square of the velocity", Path::drive, "input_velocity_rad_s",
@@ -176,7 +65,7 @@ void in_the_drive(const Motion& m, Collector& c) {
   }
 }
 
-void at_the_loadcell(const Motion& m, Collector& c) {
+void at_the_loadcell(const Motion& m, AtomCollector& c) {
   const auto torque = as_array(m.spring_nm);
   c.hinges(m.spring_nm, "loadcell_torque_nm", Path::rig);
   c.shaped("a load cell that is not straight", Path::rig, "loadcell_torque_nm", m.spring_nm,
@@ -201,7 +90,7 @@ void at_the_loadcell(const Motion& m, Collector& c) {
 
 std::vector<Atom> lasting_changes(const Motion& m) {
   std::vector<Atom> out;
-  Collector collector(m, out);
+  AtomCollector collector(m, out);
   const Array always = Array::Ones(Eigen::Index(m.size())), torque = as_array(m.spring_nm);
   const auto add = [&](Path path, const Array& carrier) {
     collector.events("something changes", path, carrier, 2);
@@ -223,7 +112,7 @@ std::vector<Atom> lasting_changes(const Motion& m) {
 
 std::vector<Atom> unnamed_atoms(const Motion& motion) {
   std::vector<Atom> out;
-  Collector collector(motion, out);
+  AtomCollector collector(motion, out);
   if (motion.has_spring()) in_the_spring(motion, collector);
   if (motion.has_spring()) at_the_loadcell(motion, collector);
   if (motion.has_drive()) in_the_drive(motion, collector);

@@ -29,7 +29,7 @@ struct DriveRule {
   /// Whether there is a torque at all.
   bool usable() const;
 
-  /// N*m at the rows [from, to) of the block, which needs a context of drive_half_width_s.
+  /// N*m at the rows [from, to) of the block, which needs a context of differentiator_half_width_s.
   std::vector<double> nm(const TelemetryBlock& block) const;
 };
 

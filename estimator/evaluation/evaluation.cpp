@@ -83,7 +83,7 @@ void follow(const Telemetry& telemetry, const Survey& survey, const DriveRule& d
             OnlineRun* online, const Watch& watch, Evaluation& out) {
   StreamSampler drive_at(survey.loadcell.t_s);
   const auto make = [&](const Watch::Give& give) {
-    telemetry.go_through(drive_half_width_s,
+    telemetry.go_through(differentiator_half_width_s,
                          [&](const TelemetryBlock& block) { give(driven(block, drive)); });
   };
   watch.pass(make, [&](const DrivenRows& rows) {

@@ -12,7 +12,7 @@ namespace {
 
 /// Half width of the local cubic that differentiates angles: wide enough that encoder steps do not
 /// rule the acceleration, narrow enough to pass what an actuator does (-3 dB near 20 Hz).
-constexpr double half_width_s = drive_half_width_s;
+constexpr double half_width_s = differentiator_half_width_s;
 
 Eigen::VectorXd contribution(const Effect& effect, const Term& term, const Model& model,
                              const Motion& motion) {

@@ -19,10 +19,10 @@ struct Torques {
 Torques predict(const Model& model, const ModuleSignals& module);
 
 /// predict().drive_nm alone, without what it does not need. What a sample is given depends on the
-/// samples within drive_half_width_s, unless a term of the spring with a memory loads
+/// samples within differentiator_half_width_s, unless a term of the spring with a memory loads
 /// drive.load_friction.
 std::vector<double> predict_drive(const Model& model, const ModuleSignals& module);
-inline constexpr double drive_half_width_s = 0.024;
+inline constexpr double differentiator_half_width_s = 0.024;
 
 /// The current at which the drive's torque is `spring_nm`, at the module's samples; empty where the
 /// recording or the model cannot tell. Every drive term is straight in the current, so that two of
