@@ -15,7 +15,7 @@
 #include "app/cli/desktop_program.h"
 #include "app/cli/json_output.h"
 #include "app/report/diagnosis_report.h"
-#include "app/report/diagnosis_words.h"
+#include "app/report/diagnosis_sentences.h"
 #include "app/rig/stepped_rig.h"
 #include "app/session/session.h"
 

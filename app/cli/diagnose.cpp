@@ -15,7 +15,7 @@
 #include "app/cli/progress_line.h"
 #include "app/report/diagnosis_json.h"
 #include "app/report/diagnosis_report.h"
-#include "app/report/diagnosis_words.h"
+#include "app/report/diagnosis_sentences.h"
 #include "app/session/examine.h"
 #include "app/session/motion_spec.h"
 

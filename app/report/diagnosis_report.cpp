@@ -1,13 +1,16 @@
 #include "app/report/diagnosis_report.h"
 
-#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/report/axis.h"
 #include "app/report/diagnosis_bars.h"
-#include "app/report/diagnosis_map.h"
+#include "app/report/diagnosis_sections.h"
+#include "app/report/diagnosis_sentences.h"
 #include "app/report/diagnosis_words.h"
 #include "app/report/quantity.h"
-#include "estimator/physics/catalogue.h"
 
 namespace searig::app {
 namespace {
@@ -16,7 +19,6 @@ using estimator::Diagnosis;
 using estimator::Finding;
 using estimator::ParameterEstimate;
 using estimator::Verdict;
-using Rows = std::vector<std::vector<std::string>>;
 
 std::string title_with(const Examined& examined) {
   std::string names;
@@ -43,119 +45,6 @@ void write_facts(HtmlReport& report, const Examined& examined) {
   }
   facts.push_back({"length", number(seconds_of(examined.parts), 0) + " s"});
   report.facts(facts);
-}
-
-std::string channel_of(const Diagnosis& d) {
-  if (!d.findings.empty()) {
-    return estimator::find_effect(d.findings.front().effect)->about().channel;
-  }
-  if (d.unexplained && !d.unexplained->located.regions.empty()) {
-    return d.unexplained->located.regions.front().channel;
-  }
-  return "deflection_rad";
-}
-
-void write_parameters(HtmlReport& report, const std::vector<ParameterEstimate>& parameters) {
-  Rows rows;
-  for (const auto& p : in_order(parameters)) {
-    const Rounded r = rounded(p.value, p.lower, p.upper);
-    rows.push_back({p.name, r.value, is_measured(p) ? r.lower + " to " + r.upper : "given",
-                    quantity_of(p.name).unit});
-  }
-  if (!rows.empty()) report.table({"parameter", "value", "95 % interval", "unit"}, rows);
-}
-
-void write_rivals(HtmlReport& report, const Finding& f) {
-  std::vector<Bar> bars{{title_of(f.effect), f.probability, true}};
-  Rows rows;
-  double rest = 1.0 - f.probability;
-  for (const auto& a : f.alternatives) {
-    const std::string name = a.effect.empty() ? "something without a name" : title_of(a.effect);
-    bars.push_back({name, a.probability});
-    rest -= a.probability;
-    if (!a.effect.empty() && !a.separated_by.empty()) {
-      rows.push_back({a.effect, number(100.0 * a.probability, 0) + " %", a.separated_by});
-    }
-  }
-  if (rest > 0.02) bars.push_back({"chance, or something not considered", rest});
-  if (bars.size() == 1) {
-    report.paragraph("No other explanation comes near: this one is " + how_sure(f.probability) +
-                     ".");
-    return;
-  }
-  report.figure_svg(probability_bars("How likely each explanation is", bars),
-                    "The chance that this is what is missing, and what else it could be.");
-  if (!rows.empty()) {
-    report.table({"rival", "probability", "what would tell it apart"}, rows);
-  }
-}
-
-void write_finding(HtmlReport& report, const Examined& examined, const Finding& f) {
-  const Diagnosis& d = examined.diagnosis;
-  const auto& about = estimator::find_effect(f.effect)->about();
-  report.heading("Missing: " + about.title);
-  report.paragraph("In the model file it is called " + f.effect +
-                   ". The term is: " + about.equation + ".");
-  report.paragraph("How to see it: " + about.looks_like + ".");
-  const std::string place = where(f.located);
-  report.paragraph(capital(improvement(d, f)) + ". That is " + number(100.0 * f.located.share, 0) +
-                   " % of the mismatch" +
-                   (place.empty() ? "." : "; most of it lies at " + place + "."));
-  write_parameters(report, f.parameters);
-  const std::string waves = waves_per_turn(f, examined.signals.gear_ratio);
-  if (!waves.empty()) report.paragraph(waves);
-  write_rivals(report, f);
-}
-
-void write_pictures(HtmlReport& report, const Examined& examined) {
-  const Diagnosis& d = examined.diagnosis;
-  const bool changed = d.verdict != Verdict::consistent;
-  const Against first = main_path(examined);
-  const auto intervals = intervals_to_shade(examined);
-  report.heading(changed ? "Before and after" : "What is left");
-  report.figure(residual_over_time(examined, first, intervals),
-                "What the load cell measured less what the simulation says. Every stretch of about "
-                "ten seconds is predicted by a fit to the others.",
-                {900, 320});
-  if (changed) {
-    report.figure(closer_look(examined, first, 8.0), "The eight seconds in which it matters most.",
-                  {900, 280});
-  }
-  if (const auto plot = residual_over(examined, first, channel_of(d))) {
-    report.figure(*plot, "The same differences over the channel in which they belong together.",
-                  {900, 340});
-  }
-  const Against other = first == Against::spring ? Against::drive : Against::spring;
-  if (has_path(examined, other)) {
-    report.figure(residual_over_time(examined, other, {}),
-                  other == Against::drive
-                      ? "The motor current against the load cell, while the input moves: current "
-                        "says nothing about torque while the train sticks."
-                      : "The spring against the load cell.",
-                  {900, 260});
-  }
-}
-
-void write_maps(HtmlReport& report, const Examined& examined) {
-  const Diagnosis& d = examined.diagnosis;
-  const bool both = !d.findings.empty() || d.unexplained;
-  report.heading("Where it differs");
-  report.paragraph(
-      std::string("Each strip is one channel from its lowest to its highest value; each cell is a "
-                  "part of it with as many samples as the others. ") +
-      (both ? "Colour before and grey after is what the finding explains; colour after is what it "
-              "does not. "
-            : "Grey is agreement. ") +
-      "Pale cells are chance, and noise that wanders slowly colours the strip of time.");
-  const std::pair<const char*, const char*> maps[] = {
-      {"loadcell-spring", "Load cell less spring"},
-      {"loadcell-drive", "Load cell less motor current"},
-      {"drive-spring", "Motor current less spring"}};
-  for (const auto& [residual, title] : maps) {
-    if (!d.spring && std::string_view(residual).ends_with("spring")) continue;
-    const std::string svg = mismatch_map(d.map, residual, title, both);
-    if (!svg.empty()) report.figure_svg(svg, std::string(title) + ", part by part.");
-  }
 }
 
 void write_errors(HtmlReport& report, const Diagnosis& d) {

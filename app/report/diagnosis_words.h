@@ -1,13 +1,22 @@
-// The diagnosis in sentences that a technician understands.
+// The words and numbers that a diagnosis is told in.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "estimator/diagnosis/diagnosis.h"
 
 namespace searig::app {
+
+/// "98 %" of 0.98.
+std::string percent(double share);
+
+/// "a, b and c": `last` stands before the last part, `between` before the others.
+std::string joined(const std::vector<std::string>& parts, const std::string& last = " and ",
+                   const std::string& between = ", ");
+
+/// The path with the larger gain, for the headline; nullptr where the recording has neither.
+const estimator::PathErrors* clearest(const estimator::Diagnosis& diagnosis);
 
 /// What the catalogue says of an effect, for people: "dry friction in the gear train".
 std::string title_of(const std::string& effect);
@@ -31,19 +40,6 @@ bool is_measured(const estimator::ParameterEstimate& parameter);
 /// As the catalogue lists them, not by their letters.
 std::vector<estimator::ParameterEstimate> in_order(
     std::vector<estimator::ParameterEstimate> parameters);
-
-/// The answer in one or two sentences.
-std::string headline(const estimator::Diagnosis& diagnosis);
-
-/// What a number was and what it is now: "k 40 -> 42.1 N·m/rad". One for each number that moved
-/// out of its interval.
-std::vector<std::string> moved_numbers(const estimator::Diagnosis& diagnosis,
-                                       const std::optional<estimator::Model>& given);
-
-/// One line each: the headline, then each finding with its rivals, what remains, what cannot be
-/// decided, and the next experiment.
-std::vector<std::string> sentences(const estimator::Diagnosis& diagnosis,
-                                   const std::optional<estimator::Model>& given);
 
 /// Of a ripple, in words: how many waves each turn of the motor has. Empty where the finding is
 /// another one, or the gear ratio is not known (1).

@@ -4,108 +4,19 @@
 #include <cmath>
 #include <ctime>
 #include <fstream>
-#include <limits>
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "acquisition/clock/device_clock.h"
 #include "acquisition/error.h"
 #include "acquisition/recording/hebilog/channels.h"
 #include "acquisition/recording/hebilog/frames.h"
+#include "acquisition/recording/hebilog/logs.h"
+#include "acquisition/recording/hebilog/module_stream.h"
 #include "acquisition/recording/mapped_file.h"
 
 namespace searig::acquisition::hebilog {
 namespace {
-
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
-/// The feedback of one module, field by field.
-struct Log {
-  std::vector<std::uint64_t> log_us;
-  std::map<Path, std::vector<double>> fields;  ///< of the size of log_us; NaN where not sent
-  std::map<Path, std::string> texts;           ///< from information: what the module is
-
-  void set(Path path, double value) {
-    std::vector<double>& values = fields[path];
-    values.resize(log_us.size(), missing);
-    values.back() = value;
-  }
-
-  const std::vector<double>& field(Path path) {
-    std::vector<double>& values = fields[path];
-    values.resize(log_us.size(), missing);
-    return values;
-  }
-};
-
-bool take_feedback(Log& log, const Frame& frame) {
-  std::vector<std::pair<Path, double>> row;
-  const bool whole = read_message(
-      frame.message,
-      {is_message,
-       [&](Path path, std::uint64_t v) {
-         row.emplace_back(path, double(std::int64_t(v)));  // negative ones are 64 bits long
-       },
-       [&](Path path, double v) { row.emplace_back(path, v); }, [](Path, std::string_view) {}});
-  const auto has = [&](Path path) {
-    return std::ranges::find(row, path, &std::pair<Path, double>::first) != row.end();
-  };
-  if (!whole || !has(hardware_sent_us)) return false;
-  log.log_us.push_back(frame.log_us);
-  for (const auto& [path, value] : row) log.set(path, value);
-  return true;
-}
-
-bool take_information(Log& log, const Frame& frame) {
-  return read_message(frame.message, {is_message, [](Path, std::uint64_t) {}, [](Path, double) {},
-                                      [&](Path path, std::string_view text) {
-                                        log.texts[path] = std::string(text);
-                                      }});
-}
-
-struct Logs {
-  std::map<std::uint64_t, Log> by_address;
-  Damage damage;
-};
-
-Logs read_logs(std::string_view bytes) {
-  Logs logs;
-  logs.damage = read_frames(bytes, [&](const Frame& frame) {
-    if (frame.type == Frame::Type::feedback)
-      return take_feedback(logs.by_address[frame.address], frame);
-    if (frame.type == Frame::Type::information)
-      return take_information(logs.by_address[frame.address], frame);
-    return true;
-  });
-  std::erase_if(logs.by_address, [](const auto& log) { return log.second.log_us.size() < 2; });
-  return logs;
-}
-
-Log& chosen(Logs& logs, std::optional<std::size_t> module) {
-  const std::size_t all = logs.by_address.size();
-  if (all == 0) throw InputError("holds no feedback of a HEBI module.");
-  if (module.value_or(1) < 1 || module.value_or(1) > all)
-    throw InputError("holds the logs of " + std::to_string(all) + " modules; there is no module " +
-                     std::to_string(*module) + ".");
-  if (!module && all > 1)
-    throw InputError("holds the logs of " + std::to_string(all) +
-                     " modules, and a recording is of one; --module 1 to " + std::to_string(all) +
-                     " says which.");
-  return std::next(logs.by_address.begin(), std::ptrdiff_t(module.value_or(1) - 1))->second;
-}
-
-std::vector<double> seconds(const std::vector<double>& us) {
-  std::vector<double> values;
-  for (const double value : us) values.push_back(value / 1e6);
-  return values;
-}
-
-std::vector<double> at(const std::vector<std::size_t>& rows, const std::vector<double>& values) {
-  std::vector<double> picked;
-  for (const std::size_t row : rows) picked.push_back(values[row]);
-  return picked;
-}
 
 /// "Recorded 2018-07-05T20:06:00Z by a HEBI module (X5-1, X-00131, My Family/Test Module)."
 std::string recorded_by(const Log& log) {
@@ -119,38 +30,6 @@ std::string recorded_by(const Log& log) {
   };
   return std::string("Recorded ") + date + " by a HEBI module (" + text(mechanical_type) + ", " +
          text(serial_number) + ", " + text(family) + "/" + text(name) + ").";
-}
-
-/// The rows in order of the module's clock, everything else counted; all else goes by `order`.
-Stream stream_of(Log& log, std::vector<std::size_t>& order) {
-  const std::vector<double> t_s = seconds(log.field(hardware_sent_us));
-  std::vector<double> host_s;
-  for (const std::uint64_t us : log.log_us) host_s.push_back(double(us) / 1e6);
-  std::vector<double> seq = log.field(sequence);
-  const bool counted = std::ranges::none_of(seq, [](double v) { return std::isnan(v); });
-  if (!counted) seq.clear();
-  ClockedRows rows = read_device_clock(t_s, host_s, seq);
-
-  Stream stream;
-  stream.name = "module";
-  stream.t_s = std::move(rows.t_s);
-  stream.host_s = at(rows.order, host_s);
-  if (counted) stream.channels.push_back({"seq", at(rows.order, seq)});
-  stream.restarts = std::move(rows.restarts);
-  stream.counts = {rows.order.size(), rows.lost, rows.doubled, rows.astray, rows.out_of_order};
-  order = std::move(rows.order);
-  return stream;
-}
-
-void add_pings(Stream& stream, Log& log, const std::vector<std::size_t>& order) {
-  const std::vector<double> sent = at(order, seconds(log.field(host_sent_us)));
-  const std::vector<double> received = at(order, seconds(log.field(hardware_received_us)));
-  std::size_t run = 0;
-  for (std::size_t row = 0; row < order.size(); ++row) {
-    if (run < stream.restarts.size() && row == stream.restarts[run]) ++run;
-    if (!std::isnan(sent[row]) && !std::isnan(received[row]))
-      stream.pings.push_back({sent[row], received[row], stream.t_s[row], stream.host_s[row], run});
-  }
 }
 
 /// A stream of those rows of the module that have the channel, if there is none of the same rows

@@ -11,7 +11,7 @@
 #include "app/desktop/plot/time_plot.h"
 #include "app/desktop/work_bar.h"
 #include "app/report/diagnosis_plots.h"
-#include "app/report/diagnosis_words.h"
+#include "app/report/diagnosis_sentences.h"
 
 namespace searig::app::desktop {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/desktop/diagnose/finding_text.h"
 
-#include "app/report/diagnosis_words.h"
+#include "app/report/diagnosis_sentences.h"
 #include "app/report/quantity.h"
 
 namespace searig::app::desktop {

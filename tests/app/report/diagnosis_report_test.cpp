@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "app/report/diagnosis_sentences.h"
 #include "app/report/diagnosis_words.h"
 #include "tests/app/report/diagnosis_sample.h"
 
