@@ -3,6 +3,7 @@
 #include <cctype>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,11 +32,12 @@ std::string kind_of(const std::string& sentence) {
 
 void add_notes(HtmlReport& page, const Summary& summary) {
   std::map<std::string, std::size_t> counts;
-  for (const json& answer : summary.answers)
-    for (const json& note : answer.value("notes", json::array())) ++counts[kind_of(note)];
-  if (counts.empty()) return;
-  page.heading("Notes by kind");
-  page.table({"Note", "Recordings"}, counted(counts));
+  for (const json& answer : summary.answers) {
+    std::set<std::string> here;  // a recording may have several of one kind
+    for (const json& note : answer.value("notes", json::array())) here.insert(kind_of(note));
+    for (const std::string& kind : here) ++counts[kind];
+  }
+  add_counted(page, "Notes by kind", "Note", counts);
 }
 
 void add_failed(HtmlReport& page, const Summary& summary) {
@@ -47,10 +49,7 @@ void add_failed(HtmlReport& page, const Summary& summary) {
   }
   if (failed == 0) return;
   page.heading("Failed");
-  page.table({"Recording", "Why"}, rows,
-             failed > most_rows ? "The first " + std::to_string(most_rows) + " of " +
-                                      std::to_string(failed) + "; all are in summary.csv."
-                                : "");
+  page.table({"Recording", "Why"}, rows, only_first(failed));
 }
 
 }  // namespace

@@ -29,20 +29,17 @@ void add_findings(HtmlReport& page, const Summary& summary) {
       for (const json& effect : one.at("effects")) here.insert(effect);
     for (const std::string& effect : here) ++open[effect];
   }
-  page.heading("Verdicts");
-  page.table({"Verdict", "Recordings"}, counted(verdicts));
+  add_counted(page, "Verdicts", "Verdict", verdicts);
   std::vector<std::vector<std::string>> rows;
   for (auto& [effect, sure] : found) {
     std::ranges::sort(sure);
     rows.push_back(
-        {effect, title_of(effect), std::to_string(sure.size()), figures(sure[sure.size() / 2], 2)});
+        {effect, title_of(effect), std::to_string(sure.size()), figures(quantile(sure, 0.5), 2)});
   }
   page.heading("Findings by kind");
   if (rows.empty()) page.paragraph("No physics was found missing.");
   if (!rows.empty()) page.table({"Effect", "What", "Recordings", "Middle probability"}, rows);
-  if (open.empty()) return;
-  page.heading("What the recordings cannot decide");
-  page.table({"Effect", "Recordings"}, counted(open));
+  add_counted(page, "What the recordings cannot decide", "Effect", open);
 }
 
 }  // namespace

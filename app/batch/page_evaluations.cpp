@@ -24,7 +24,7 @@ std::vector<double> sorted_numbers(const Summary& summary, const char* pointer) 
 }
 
 std::string quantile_words(const std::vector<double>& sorted, double share) {
-  return figures(sorted[std::size_t(share * double(sorted.size() - 1))], 4);
+  return figures(quantile(sorted, share), 4);
 }
 
 /// How a number spreads over the recordings, as a row; nothing where none has it.

@@ -34,13 +34,27 @@ void add_figure(HtmlReport& page, const Plot& plot, const std::string& caption) 
   if (!plot.series.empty()) page.figure(plot, caption);
 }
 
-std::vector<std::vector<std::string>> counted(const std::map<std::string, std::size_t>& counts) {
-  std::vector<std::pair<std::string, std::size_t>> order(counts.begin(), counts.end());
+std::string only_first(std::size_t all) {
+  if (all <= most_rows) return "";
+  return "The first " + std::to_string(most_rows) + " of " + std::to_string(all) +
+         "; all are in summary.csv.";
+}
+
+double quantile(const std::vector<double>& sorted, double q) {
+  return sorted[std::size_t(q * double(sorted.size() - 1))];
+}
+
+void add_counted(HtmlReport& page, const std::string& heading, const std::string& what,
+                 const std::map<std::string, std::size_t>& recordings) {
+  if (recordings.empty()) return;
+  std::vector<std::pair<std::string, std::size_t>> order(recordings.begin(), recordings.end());
   std::ranges::stable_sort(order, std::greater<>(), &std::pair<std::string, std::size_t>::second);
   std::vector<std::vector<std::string>> rows;
   for (const auto& [kind, count] : order) rows.push_back({kind, std::to_string(count)});
+  const std::string more = only_first(rows.size());
   if (rows.size() > most_rows) rows.resize(most_rows);
-  return rows;
+  page.heading(heading);
+  page.table({what, "Recordings"}, rows, more);
 }
 
 void add_worst(HtmlReport& page, const Summary& summary, const std::string& heading,

@@ -29,8 +29,15 @@ Plot over_recordings(const Summary& summary, const std::string& title, const std
 /// Nothing where no recording has the numbers.
 void add_figure(HtmlReport& page, const Plot& plot, const std::string& caption);
 
-/// Kinds with how often each came, the most frequent first.
-std::vector<std::vector<std::string>> counted(const std::map<std::string, std::size_t>& counts);
+/// A table of kinds with how many recordings had each, the most frequent first. Nothing of none.
+void add_counted(HtmlReport& page, const std::string& heading, const std::string& what,
+                 const std::map<std::string, std::size_t>& recordings);
+
+/// Says that a table of most_rows is not all; empty where it is.
+std::string only_first(std::size_t all);
+
+/// The q-quantile of sorted numbers: the largest that at most the share q of them is below.
+double quantile(const std::vector<double>& sorted, double q);
 
 /// The recordings that a number is largest in.
 void add_worst(HtmlReport& page, const Summary& summary, const std::string& heading,

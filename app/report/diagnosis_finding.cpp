@@ -35,7 +35,7 @@ void write_rivals(HtmlReport& report, const Finding& f) {
     bars.push_back({name, a.probability});
     rest -= a.probability;
     if (!a.effect.empty() && !a.separated_by.empty()) {
-      rows.push_back({a.effect, number(100.0 * a.probability, 0) + " %", a.separated_by});
+      rows.push_back({a.effect, percent(a.probability), a.separated_by});
     }
   }
   if (rest > 0.02) bars.push_back({"chance, or something not considered", rest});
@@ -61,8 +61,8 @@ void write_finding(HtmlReport& report, const Examined& examined, const Finding& 
                    ". The term is: " + about.equation + ".");
   report.paragraph("How to see it: " + about.looks_like + ".");
   const std::string place = where(f.located);
-  report.paragraph(capital(improvement(d, f)) + ". That is " + number(100.0 * f.located.share, 0) +
-                   " % of the mismatch" +
+  report.paragraph(capital(improvement(d, f)) + ". That is " + percent(f.located.share) +
+                   " of the mismatch" +
                    (place.empty() ? "." : "; most of it lies at " + place + "."));
   write_parameters(report, f.parameters);
   const std::string waves = waves_per_turn(f, examined.signals.gear_ratio);

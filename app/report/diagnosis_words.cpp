@@ -55,9 +55,9 @@ std::string joined(const std::vector<std::string>& parts, const std::string& las
 
 const PathErrors* clearest(const Diagnosis& d) {
   const auto gain = [](const std::optional<PathErrors>& p) {
-    return p && p->before > 0 ? 1.0 - p->after / p->before : -1.0;
+    return p->before > 0 ? 1.0 - p->after / p->before : -INFINITY;
   };
-  if (!d.spring && !d.drive) return nullptr;
+  if (!d.spring || !d.drive) return d.spring ? &*d.spring : d.drive ? &*d.drive : nullptr;
   return gain(d.spring) >= gain(d.drive) ? &*d.spring : &*d.drive;
 }
 
@@ -108,15 +108,18 @@ bool is_measured(const ParameterEstimate& p) {
 }
 
 std::vector<ParameterEstimate> in_order(std::vector<ParameterEstimate> parameters) {
-  const auto place = [](const ParameterEstimate& p) {
+  std::vector<std::string> effects;  // in the order in which they came
+  for (const ParameterEstimate& p : parameters)
+    if (std::ranges::find(effects, p.effect) == effects.end()) effects.push_back(p.effect);
+  const auto place = [&](const ParameterEstimate& p) {
+    const auto came = std::ranges::find(effects, p.effect) - effects.begin();
     const auto* effect = estimator::find_effect(p.effect);
-    if (!effect) return std::ptrdiff_t(0);
+    if (!effect) return std::pair(came, std::ptrdiff_t(0));
     const auto& known = effect->parameters();
-    return std::ranges::find(known, p.name, &estimator::Parameter::name) - known.begin();
+    return std::pair(came,
+                     std::ranges::find(known, p.name, &estimator::Parameter::name) - known.begin());
   };
-  std::ranges::stable_sort(parameters, [&](const auto& a, const auto& b) {
-    return a.effect == b.effect && place(a) < place(b);
-  });
+  std::ranges::stable_sort(parameters, {}, place);
   return parameters;
 }
 

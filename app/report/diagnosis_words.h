@@ -37,7 +37,7 @@ std::string improvement(const estimator::Diagnosis& diagnosis, const estimator::
 /// False for a number that the fit had to leave as the model gave it.
 bool is_measured(const estimator::ParameterEstimate& parameter);
 
-/// As the catalogue lists them, not by their letters.
+/// Those of one effect together, as the catalogue lists them, not by their letters.
 std::vector<estimator::ParameterEstimate> in_order(
     std::vector<estimator::ParameterEstimate> parameters);
 

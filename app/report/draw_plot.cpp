@@ -51,19 +51,26 @@ std::vector<std::size_t> points_of(const Series& series, const Frame& frame) {
   return all;
 }
 
-/// The band's outline: there along the lower edge, back along the upper one.
+/// There along the lower edge, back along the upper one; broken where a line would be.
 void draw_band(Canvas& canvas, const Series& series, const Frame& frame) {
-  Points outline;
   const std::size_t size = std::min({series.x.size(), series.y.size(), series.y_high.size()});
   const std::size_t stride = std::max<std::size_t>(1, size / static_cast<std::size_t>(frame.width));
-  const auto add = [&](std::size_t i, double y) {
-    if (std::isfinite(y)) outline.emplace_back(frame.to_x(series.x[i]), frame.to_y(y));
+  Points lower, upper;
+  const auto close = [&] {
+    lower.insert(lower.end(), upper.rbegin(), upper.rend());
+    if (!lower.empty()) canvas.polygon(lower, shades(series.hue).name, 0.22);
+    lower.clear(), upper.clear();
   };
-  for (std::size_t i = 0; i < size; i += stride) add(i, series.y[i]);
-  for (std::size_t n = (size + stride - 1) / stride; n-- > 0;) {
-    add(n * stride, series.y_high[n * stride]);
+  for (std::size_t i = 0; i < size; i += stride) {
+    if (!std::isfinite(series.y[i]) || !std::isfinite(series.y_high[i])) {
+      close();
+      continue;
+    }
+    const double x = frame.to_x(series.x[i]);
+    lower.emplace_back(x, frame.to_y(series.y[i]));
+    upper.emplace_back(x, frame.to_y(series.y_high[i]));
   }
-  canvas.polygon(outline, shades(series.hue).name, 0.22);
+  close();
 }
 
 void draw_series(Canvas& canvas, const Series& series, const Frame& frame) {

@@ -105,7 +105,7 @@ Hypothesis settle_numbers(const Bench& bench, const Hypothesis& final, const Mod
   for (Finding& f : out.findings)
     for (ParameterEstimate& p : f.parameters)
       for (const auto& now : parameters)
-        if (now.effect == p.effect && now.name == p.name) p = now;
+        if (now.effect == p.effect && now.name == p.name) p = with_doubt_of_form(now);
   return kept;
 }
 

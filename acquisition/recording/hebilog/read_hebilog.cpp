@@ -32,17 +32,18 @@ std::string recorded_by(const Log& log) {
          text(serial_number) + ", " + text(family) + "/" + text(name) + ").";
 }
 
-/// A stream of those rows of the module that have the channel, if there is none of the same rows
-/// yet.
+/// A stream of those rows of the module that have the channel, if there is none of its kind with
+/// the same rows yet.
 Stream& partial_stream(Recording& recording, const std::vector<std::size_t>& rows, bool command) {
   const std::vector<double> t_s = at(rows, recording.module.t_s);
+  const std::string kind = command ? "device.command" : "device.partial";
   for (Device& device : recording.devices)
-    if (device.stream.t_s == t_s) return device.stream;
-  std::string called = command ? "device.command" : "device.partial";
+    if (device.stream.name.starts_with(kind) && device.stream.t_s == t_s) return device.stream;
+  std::string called = kind;
   for (int i = 2; std::ranges::any_of(recording.devices,
                                       [&](const Device& d) { return d.stream.name == called; });
        ++i)
-    called = (command ? "device.command_" : "device.partial_") + std::to_string(i);
+    called = kind + "_" + std::to_string(i);
   Stream stream;
   stream.name = called;
   stream.t_s = t_s;

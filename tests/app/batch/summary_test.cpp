@@ -47,6 +47,13 @@ TEST(Summary, HasAPageThatNeedsNothingBesideIt) {
   EXPECT_EQ(page.find("href="), std::string::npos);
 }
 
+TEST(Summary, CountsARecordingWithTwoNotesOfAKindOnce) {
+  Summary summary = evaluations();
+  summary.answers[0]["notes"] = {"12 samples are lost", "3 samples are lost"};
+  EXPECT_NE(page_of(summary).text().find("<td>N samples are lost</td><td>1</td>"),
+            std::string::npos);
+}
+
 TEST(Summary, CountsFindingsByKind) {
   const json finding{{"effect", "spring.viscous"}, {"probability", 0.97}};
   const json undecided{{"effects", {"rig.delay"}}};

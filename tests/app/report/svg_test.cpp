@@ -57,13 +57,25 @@ TEST(Svg, BothAxesSayTheirUnit) {
   EXPECT_NE(svg.find(">torque (N·m)<"), std::string::npos);
 }
 
+std::size_t count(const std::string& svg, const std::string& shape) {
+  std::size_t shapes = 0;
+  for (auto at = svg.find(shape); at != std::string::npos; at = svg.find(shape, at + 1)) ++shapes;
+  return shapes;
+}
+
 TEST(Svg, AValueThatIsNotFiniteBreaksTheLine) {
   const std::string svg = to_svg(plot_of({0, 1, 2, 3, 4, 5}, {0, 1, std::nan(""), 0, 1, 0}));
   EXPECT_EQ(svg.find("nan"), std::string::npos);
-  std::size_t lines = 0;
-  for (auto at = svg.find("<polyline"); at != std::string::npos; at = svg.find("<polyline", at + 1))
-    ++lines;
-  EXPECT_EQ(lines, 2u);
+  EXPECT_EQ(count(svg, "<polyline"), 2u);
+}
+
+TEST(Svg, AValueThatIsNotFiniteBreaksTheBand) {
+  Plot plot = plot_of({0, 1, 2, 3, 4, 5}, {0, 1, std::nan(""), 0, 1, 0});
+  plot.series[0].style = Style::band;
+  plot.series[0].y_high = {1, 1, 1, 1, 1, 1};
+  const std::string svg = to_svg(plot);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(count(svg, "<polygon"), 2u);
 }
 
 TEST(Svg, AMillionPointsStaySmall) {
