@@ -13,7 +13,7 @@ namespace {
 
 using estimator::Cell;
 
-constexpr double strip_px = 15.0, axis_px = 34.0, margin_px = 12.0, full_scale = 6.0;
+constexpr double strip_px = 15.0, axis_px = 34.0, margin_px = 12.0;
 constexpr double words_px = 250.0;
 
 /// Cells of one channel that lie side by side.
@@ -54,15 +54,34 @@ std::vector<Row> rows_of(const std::vector<Cell>& cells, const std::string& resi
   return rows;
 }
 
-void draw_cell(Canvas& canvas, double from, double top, double width, double score) {
+/// From standard errors to a depth of colour: none for what is chance, full for the largest of the
+/// map, in between by the logarithm, so that a hundred before and five after look different.
+struct Colours {
+  static constexpr double chance = 2.0;
+  double full = 20.0;
+
+  explicit Colours(const std::vector<Row>& rows) {
+    for (const Row& row : rows)
+      for (const Cell& cell : row.cells)
+        for (const double score : {cell.before, cell.after})
+          if (std::isfinite(score)) full = std::max(full, std::abs(score));
+  }
+  double depth(double score) const {
+    return std::clamp(std::log(std::abs(score) / chance) / std::log(full / chance), 0.0, 1.0);
+  }
+  double score(double depth) const { return chance * std::pow(full / chance, depth); }
+};
+
+void draw_cell(Canvas& canvas, const Colours& colours, double from, double top, double width,
+               double score) {
   canvas.rectangle(from, top, std::max(0.5, width - 1.0), strip_px, "grid");
   if (!std::isfinite(score)) return;
-  const double depth = std::clamp(std::abs(score) / full_scale, 0.0, 1.0);
   canvas.rectangle(from, top, std::max(0.5, width - 1.0), strip_px,
-                   score < 0 ? "blue" : "vermilion", depth);
+                   score < 0 ? "blue" : "vermilion", colours.depth(score));
 }
 
-void draw_row(Canvas& canvas, const Row& row, bool both, double top, double width) {
+void draw_row(Canvas& canvas, const Colours& colours, const Row& row, bool both, double top,
+              double width) {
   const double left = words_px + 62.0, right = width - margin_px - 16.0;
   const Axis axis = make_axis({row.cells.front().region.from, row.cells.back().region.to}, 7);
   const auto to_x = [&](double value) {
@@ -76,8 +95,8 @@ void draw_row(Canvas& canvas, const Row& row, bool both, double top, double widt
   }
   for (const Cell& cell : row.cells) {
     const double from = to_x(cell.region.from), to = to_x(cell.region.to);
-    draw_cell(canvas, from, top, to - from, cell.before);
-    if (both) draw_cell(canvas, from, top + strip_px + 1, to - from, cell.after);
+    draw_cell(canvas, colours, from, top, to - from, cell.before);
+    if (both) draw_cell(canvas, colours, from, top + strip_px + 1, to - from, cell.after);
   }
   const std::string unit = quantity_of(row.channel).unit;
   for (std::size_t i = 0; i < axis.ticks.size(); ++i) {
@@ -90,20 +109,23 @@ void draw_row(Canvas& canvas, const Row& row, bool both, double top, double widt
   }
 }
 
-void draw_key(Canvas& canvas, double top) {
+void draw_key(Canvas& canvas, const Colours& colours, double top) {
   constexpr int steps = 10;
-  constexpr double step_px = 14.0;
+  constexpr double step_px = 20.0;
+  const auto at = [](int step) { return margin_px + 10.0 + step_px * (step + steps); };
   for (int i = -steps; i <= steps; ++i) {
-    const double x = margin_px + step_px * (i + steps);
-    canvas.rectangle(x, top, step_px, 10, "grid");
-    canvas.rectangle(x, top, step_px, 10, i < 0 ? "blue" : "vermilion",
+    canvas.rectangle(at(i), top, step_px, 10, "grid");
+    canvas.rectangle(at(i), top, step_px, 10, i < 0 ? "blue" : "vermilion",
                      std::abs(i) / double(steps));
   }
-  const double right = margin_px + step_px * (2 * steps + 1);
-  canvas.text(margin_px, top + 24, number(-full_scale, 0) + " or less", Anchor::start, "f");
-  canvas.text((margin_px + right) / 2, top + 24, "0", Anchor::middle, "f");
-  canvas.text(right, top + 24, number(full_scale, 0) + " or more", Anchor::end, "f");
-  canvas.text(right + 14, top + 10, "mean difference, in standard errors");
+  for (const int step : {-steps, -steps / 2, 0, steps / 2, steps}) {
+    const double score = colours.score(std::abs(step) / double(steps));
+    const std::string size = figures(score, 2);
+    canvas.text(at(step) + step_px / 2, top + 24,
+                step == 0 ? "±" + size : (step < 0 ? "−" : "") + size, Anchor::middle, "f");
+  }
+  canvas.text(at(steps) + step_px + 14, top + 10,
+              "mean difference, in standard errors; below 2 it is chance");
 }
 
 constexpr double rows_top = margin_px + 30.0;
@@ -124,10 +146,11 @@ void draw_mismatch_map(Canvas& canvas, const std::vector<Cell>& cells, const std
                        const std::string& title, bool both, int width) {
   const auto rows = rows_of(cells, residual);
   if (rows.empty()) return;
+  const Colours colours(rows);
   canvas.text(margin_px, margin_px + 10, title, Anchor::start, "t");
   for (std::size_t i = 0; i < rows.size(); ++i)
-    draw_row(canvas, rows[i], both, rows_top + row_height(both) * double(i), width);
-  draw_key(canvas, rows_top + row_height(both) * double(rows.size()));
+    draw_row(canvas, colours, rows[i], both, rows_top + row_height(both) * double(i), width);
+  draw_key(canvas, colours, rows_top + row_height(both) * double(rows.size()));
 }
 
 std::string mismatch_map(const std::vector<Cell>& cells, const std::string& residual,

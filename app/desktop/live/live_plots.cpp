@@ -90,11 +90,7 @@ void LivePlots::draw() {
     range_ = {end_s - span_s_, end_s};
   }
   torque_->set_data(newest, &tail_t_s_, &tail_nm_);  // another each time
-  // From zero to twice the latest value: a first guess ten times too high would flatten the rest.
-  if (!columns_.k_nm_per_rad.empty()) {
-    const double k = columns_.k_nm_per_rad.back(), top = stiffness_->y_range().high;
-    if (!(top > 1.5 * k && top < 3.0 * k)) stiffness_->fix_y({0.0, std::max(1e-6, 2.0 * k)});
-  }
+  if (!columns_.k_nm_per_rad.empty()) stiffness_->follow_y_about(columns_.k_nm_per_rad.back());
   for (auto* plot : plots()) plot->show_range(range_);
   if (leading()) draw_target();
 }

@@ -10,7 +10,6 @@
 #include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 
 #include "app/desktop/plot/small_text.h"
 #include "app/desktop/plot/span_item.h"
@@ -18,7 +17,6 @@
 namespace searig::app::desktop {
 namespace {
 
-constexpr int half_label_px = 24;
 constexpr int axis_width_px = 46;  // the same in every plot, so that their time axes line up
 
 void style_axis(QwtPlot& plot, int axis, const QString& label) {
@@ -80,16 +78,6 @@ QWidget& TimePlot::canvas() {
   return *plot_->canvas();
 }
 
-double TimePlot::time_at(int x_px) const {
-  const Range shown = x_range();
-  return shown.low + (shown.high - shown.low) * x_px / std::max(1, canvas().width() - 1);
-}
-
-Range TimePlot::x_range() const {
-  const auto interval = plot_->axisInterval(QwtPlot::xBottom);
-  return {interval.minValue(), interval.maxValue()};
-}
-
 Plot TimePlot::as_plot() const {
   Plot plot;
   plot.title = title_.toStdString();
@@ -113,11 +101,6 @@ Plot TimePlot::as_plot() const {
     plot.series.push_back(std::move(series));
   }
   return plot;
-}
-
-Range TimePlot::y_range() const {
-  const auto interval = plot_->axisInterval(QwtPlot::yLeft);
-  return {interval.minValue(), interval.maxValue()};
 }
 
 std::size_t TimePlot::add(const QString& name, Hue hue, const QString& sign, double opacity,
@@ -154,44 +137,6 @@ void TimePlot::set_band(std::size_t place, const std::vector<double>* x,
   legend_[place].y = low;
   legend_[place].high = high;
   curves_->set_data(place, x, low, high);
-}
-
-void TimePlot::fix_y(Range range) {
-  y_fixed_ = true;
-  plot_->setAxisScale(QwtPlot::yLeft, range.low, range.high);
-}
-
-/// With or without, the canvas ends at the same place: half a label before the right edge.
-void TimePlot::show_time_axis(bool shown) {
-  plot_->enableAxis(QwtPlot::xBottom, shown);
-  plot_->axisWidget(QwtPlot::xBottom)->setMinBorderDist(0, half_label_px);
-  layout()->setContentsMargins(8, 6, shown ? 4 : 4 + half_label_px, 2);
-}
-
-void TimePlot::show_range(Range time_s) {
-  plot_->setAxisScale(QwtPlot::xBottom, time_s.low, time_s.high);
-  const QWidget& canvas = *plot_->canvas();
-  curves_->choose(time_s, std::size_t(std::lround(canvas.width() * canvas.devicePixelRatioF())));
-  if (!y_fixed_) follow_data();
-  plot_->replot();
-}
-
-/// The axis stands still as long as the data fill it well: one that moves all the time can be
-/// neither read nor drawn cheaply.
-void TimePlot::follow_data() {
-  Range seen = curves_->y_range();
-  if (followed_) {
-    const Range one = curves_->y_range(*followed_);
-    const double room = 0.4 * (one.high - one.low);
-    if (room > 0.0)
-      seen = {std::max(seen.low, one.low - room), std::min(seen.high, one.high + room)};
-  }
-  if (!(seen.high >= seen.low)) return;
-  const double height = std::max({seen.high - seen.low, 1e-9 * std::abs(seen.high), 1e-12});
-  const Range now = y_range();
-  const bool holds = now.low <= seen.low && now.high >= seen.high;
-  if (holds && height > 0.6 * (now.high - now.low)) return;
-  plot_->setAxisScale(QwtPlot::yLeft, seen.low - 0.1 * height, seen.high + 0.1 * height);
 }
 
 void TimePlot::set_theme(const Theme& theme) {

@@ -45,6 +45,10 @@ class TimePlot : public QWidget {
   /// It follows one curve alone, with room about it, wherever that has data in view: what runs far
   /// away from it flattens nothing.
   void follow_y(std::size_t place) { followed_ = place; }
+  /// It has `value` in the middle and half of it to either side at the furthest, so that a first
+  /// guess ten times too high flattens nothing; at the nearest a twentieth, so that noise stays
+  /// noise.
+  void follow_y_about(double value) { about_ = value; }
   void show_range(Range time_s);
   /// Of plots below each other the lowest alone may have it.
   void show_time_axis(bool shown);
@@ -73,6 +77,7 @@ class TimePlot : public QWidget {
   };
 
   std::size_t add(const QString& name, Hue hue, const QString& sign, double opacity, Style style);
+  Range in_view() const;
   void follow_data();
   void write_caption();
 
@@ -90,6 +95,7 @@ class TimePlot : public QWidget {
   std::vector<Entry> legend_;
   bool y_fixed_ = false;
   std::optional<std::size_t> followed_;
+  double about_ = 0.0;  // 0: wherever the data are
 };
 
 }  // namespace searig::app::desktop

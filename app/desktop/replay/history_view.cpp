@@ -105,12 +105,11 @@ double HistoryView::end_s() const {
 
 void HistoryView::show_range(Range time_s) {
   range_ = time_s;
-  // From zero to twice the latest value: a first guess ten times too high would flatten the rest.
   double latest = 0.0;
   for (const History* history : {first_, second_})
     if (history && !history->stiffness_nm_per_rad.empty())
       latest = std::max(latest, history->stiffness_nm_per_rad.back());
-  if (latest > 0.0) stiffness_->fix_y({0.0, 2.0 * latest});
+  stiffness_->follow_y_about(latest);
   for (TimePlot* plot : plots()) plot->show_range(time_s);
   place_scroll_bar();
 }
