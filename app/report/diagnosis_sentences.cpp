@@ -53,7 +53,7 @@ std::vector<std::string> moved_numbers(const Diagnosis& d,
   if (d.verdict == Verdict::consistent) return out;
   for (const auto& p : d.numbers) {
     const auto was = given ? given->get(p.effect, p.name) : std::nullopt;
-    if (!was || !is_measured(p) || (*was >= p.lower && *was <= p.upper)) continue;
+    if (!was || !is_measured(p) || p.allows(*was)) continue;
     out.push_back(p.effect + " " + parameter_text(p) + ", and the model had " + figures(*was));
   }
   return out;

@@ -12,8 +12,8 @@ namespace searig::app {
 /// The answer in one or two sentences.
 std::string headline(const estimator::Diagnosis& diagnosis);
 
-/// What a number was and what it is now: "k 40 -> 42.1 N·m/rad". One for each number that moved
-/// out of its interval.
+/// What a number was and what it is now: "k 40 -> 42.1 N·m/rad". One for each number that what
+/// was measured does not allow.
 std::vector<std::string> moved_numbers(const estimator::Diagnosis& diagnosis,
                                        const std::optional<estimator::Model>& given);
 

@@ -74,9 +74,11 @@ double Search::heldout(const Hypothesis& hypothesis) const {
 }
 
 bool Search::stands_out(const Contender& c, const Scored& from) {
-  const double share =
-      c.pieces.front().atom ? criteria_.least_unnamed_of_largest : criteria_.least_of_largest;
-  return passes(c, from) && strength(bench_, from, c.scored) >= share * largest_;
+  const Atom* atom = c.pieces.front().atom;
+  const double share = atom ? criteria_.least_unnamed_of_largest : criteria_.least_of_largest;
+  // What the form of a spring's effect leaves over shows at the load cell, not in the drive alone.
+  const double largest = atom && atom->path == Path::drive ? largest_of_drive_ : largest_;
+  return passes(c, from) && strength(bench_, from, c.scored) >= share * largest;
 }
 
 double strength(Bench& bench, const Scored& without, const Scored& with) {

@@ -28,13 +28,13 @@ void AtomCollector::add(std::string what, Path path, std::string channel, double
 }
 
 void AtomCollector::bumps(const std::vector<double>& x, const std::string& channel, Path path,
-                          int count, const Array& carrier) {
+                          int count, const Array& carrier, const std::string& what) {
   if (x.empty()) return;
   const auto [low, high] = range(x);
   if (!(high > low)) return;
   for (const double width : {(high - low) / count, 0.35 * (high - low) / count})
     for (double c = low; c <= high; c += width)
-      add("something that happens only near one value", path, channel, c - width, c + width,
+      add(what, path, channel, c - width, c + width,
           [&x, carrier](double from, double to) -> Eigen::VectorXd {
             const double centre = 0.5 * (from + to), sd = 0.25 * (to - from);
             Array bump = (-0.5 * ((as_array(x) - centre) / sd).square()).exp();

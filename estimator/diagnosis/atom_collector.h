@@ -19,7 +19,8 @@ class AtomCollector {
 
   /// Something that happens only near one value of x: a notch, a snag, a missing code.
   void bumps(const std::vector<double>& x, const std::string& channel, Path path, int count,
-             const Array& carrier = {});
+             const Array& carrier = {},
+             const std::string& what = "something that happens only near one value");
 
   /// Something that begins beyond a value of x: a stop, a snag to one side, saturation.
   void hinges(const std::vector<double>& x, const std::string& channel, Path path);

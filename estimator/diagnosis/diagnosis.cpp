@@ -124,14 +124,10 @@ class Diagnostician {
     return numbers_hold() && zero_nm == 0.0 ? Verdict::consistent : Verdict::recalibrate;
   }
 
-  /// Whether each given number lies within its interval, widened by one percent for what filters
-  /// and sampling do to any number.
   bool numbers_hold() const {
     return std::ranges::all_of(out_.numbers, [&](const ParameterEstimate& p) {
       const auto given = given_.get(p.effect, p.name);
-      if (!given) return true;
-      const double half = 1.5 * (p.upper - p.value) + 0.01 * std::abs(p.value);
-      return std::abs(*given - p.value) <= half;
+      return !given || p.allows(*given);
     });
   }
 

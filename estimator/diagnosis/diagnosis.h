@@ -5,6 +5,7 @@
 // map and against features that have no name. The method is told in docs/diagnosis.md.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -30,6 +31,12 @@ struct Alternative {
 struct ParameterEstimate {
   std::string effect, name;
   double value = 0.0, lower = 0.0, upper = 0.0;
+
+  /// Whether a number that was given may stand: it lies within the interval, widened by half of it
+  /// and by one percent of the value for what filters and sampling do to any number.
+  bool allows(double given) const {
+    return std::abs(given - value) <= 1.5 * (upper - value) + 0.01 * std::abs(value);
+  }
 };
 
 /// Part of a channel's range ("deflection_rad") in which most of a mismatch lies.

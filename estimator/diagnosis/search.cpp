@@ -94,7 +94,10 @@ Scored Search::add_named(Scored from, std::vector<Step>& trail) {
     if (terms == criteria_.most_terms || seen.named.empty()) break;
     const Contender& best = seen.named.front();
     if (!stands_out(best, from)) break;
-    largest_ = std::max(largest_, strength(bench_, from, best.scored));
+    const double largest = strength(bench_, from, best.scored);
+    largest_ = std::max(largest_, largest);
+    if (best.pieces.front().effect->path() == Path::drive)
+      largest_of_drive_ = std::max(largest_of_drive_, largest);
     from = best.scored;
     bench_.learn_torque(from.hypothesis);
   }

@@ -110,6 +110,7 @@ class Search {
   Criteria criteria_;
   std::set<const Effect*> given_;  // terms of the model: taken as they are
   double largest_ = 0.0;           // strength of the strongest term accepted so far
+  double largest_of_drive_ = 0.0;  // and of the drive's own
 };
 
 /// rms over a block of what the fit takes out between two hypotheses, over the rms that remains;

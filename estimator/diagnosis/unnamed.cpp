@@ -47,6 +47,7 @@ void in_the_drive(const Motion& m, AtomCollector& c) {
   c.shaped("a drag to one side", Path::drive, "input_velocity_rad_s", m.w, w.abs());
   c.shaped("a motor that saturates", Path::drive, "current_a", m.current, current * current.abs());
   c.shaped("a motor that saturates", Path::drive, "current_a", m.current, current.cube());
+  c.bumps(m.w, "input_velocity_rad_s", Path::drive, 9);
   c.hinges(m.current, "current_a", Path::drive);
   c.events("the drive's torque jumps", Path::drive, Array::Ones(w.size()), 20);
   c.events("the motor's torque constant jumps", Path::drive, current, 16);
@@ -54,6 +55,10 @@ void in_the_drive(const Motion& m, AtomCollector& c) {
   if (m.has_spring()) {
     c.bumps(m.theta, "deflection_rad", Path::drive, 10);
     c.bumps(m.theta, "deflection_rad", Path::drive, 10, sign);
+    // Play: where the torque changes sign the teeth change sides.
+    c.bumps(
+        m.theta, "deflection_rad", Path::drive, 10, as_array(m.a),
+        "near one value the drive does not accelerate as what it drives, as with play in gears");
   }
   c.episodes(Path::drive, 16, sign);
   c.episodes(Path::drive, 12, Array::Ones(w.size()));

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tests/app/desktop/offscreen.h"
+
 namespace searig::app::desktop {
 namespace {
 
@@ -19,26 +21,28 @@ struct Found {
   }
 };
 
-TEST(TimePlot, AFirstGuessFarAwayFlattensNothing) {
-  const Found found;
-  TimePlot plot(QStringLiteral("k"), QStringLiteral("k (N·m/rad)"));
-  plot.resize(800, 200);
-  plot.set_data(plot.add_curve({}, Hue::green), &found.t_s, &found.k);
-  plot.follow_y_about(found.k.back());
-  plot.show_range({0.0, 60.0});
-  EXPECT_LT(plot.y_range().high, 65.0);
-  EXPECT_GT(plot.y_range().high, 55.0);
+class TimePlotTest : public testing::Test {
+ protected:
+  TimePlotTest() {
+    plot_.resize(800, 200);
+    plot_.set_data(plot_.add_curve({}, Hue::green), &found_.t_s, &found_.k);
+    plot_.follow_y_about(found_.k.back());
+    plot_.show_range({0.0, 60.0});
+  }
+
+  QApplication& application_ = offscreen_application();
+  const Found found_;
+  TimePlot plot_{QStringLiteral("k"), QStringLiteral("k (N·m/rad)")};
+};
+
+TEST_F(TimePlotTest, AFirstGuessFarAwayFlattensNothing) {
+  EXPECT_LT(plot_.y_range().high, 65.0);
+  EXPECT_GT(plot_.y_range().high, 55.0);
 }
 
-TEST(TimePlot, ComesCloseToWhatHardlyMovesButNotToItsNoise) {
-  const Found found;
-  TimePlot plot(QStringLiteral("k"), QStringLiteral("k (N·m/rad)"));
-  plot.resize(800, 200);
-  plot.set_data(plot.add_curve({}, Hue::green), &found.t_s, &found.k);
-  plot.follow_y_about(found.k.back());
-  plot.show_range({0.0, 60.0});
-  plot.show_range({30.0, 60.0});
-  const Range shown = plot.y_range();
+TEST_F(TimePlotTest, ComesCloseToWhatHardlyMovesButNotToItsNoise) {
+  plot_.show_range({30.0, 60.0});
+  const Range shown = plot_.y_range();
   EXPECT_LT(shown.low, 39.8);
   EXPECT_GT(shown.high, 40.2);
   EXPECT_NEAR(shown.high - shown.low, 1.2 * 0.1 * 40.0, 0.1);

@@ -53,6 +53,17 @@ TEST(DiagnosisWords, JoinNeighbouringRegions) {
   EXPECT_EQ(where({}), "");
 }
 
+TEST(DiagnosisWords, CallNoNumberOffThatTheMeasurementAllows) {
+  estimator::Diagnosis d;
+  d.verdict = estimator::Verdict::missing_physics;
+  d.numbers = {{"spring.linear", "k_nm_per_rad", 40.0, 39.9, 40.1}};
+  estimator::Model given;
+  given.set("spring.linear", "k_nm_per_rad", 40.3);  // not a percent away
+  EXPECT_TRUE(moved_numbers(d, given).empty());
+  given.set("spring.linear", "k_nm_per_rad", 42.0);
+  EXPECT_EQ(moved_numbers(d, given).size(), 1u);
+}
+
 TEST(DiagnosisWords, SpeakOfThePathThatIsThere) {
   estimator::Diagnosis d;
   EXPECT_EQ(clearest(d), nullptr);
