@@ -4,12 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "estimator/diagnosis/account.h"
-#include "estimator/diagnosis/dense_map.h"
-#include "estimator/diagnosis/findings.h"
-#include "estimator/diagnosis/heldout.h"
-#include "estimator/diagnosis/locate.h"
-#include "estimator/diagnosis/unnamed.h"
+#include "estimator/diagnosis/answer/findings.h"
+#include "estimator/diagnosis/answer/locate.h"
+#include "estimator/diagnosis/fit/heldout.h"
+#include "estimator/diagnosis/search/account.h"
+#include "estimator/diagnosis/search/dense_map.h"
+#include "estimator/diagnosis/search/unnamed.h"
 #include "estimator/physics/catalogue.h"
 
 namespace searig::estimator {

@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "simulated_actuator.h"
+#include "tests/estimator/diagnosis/simulated_actuator.h"
 
 namespace searig::estimator {
 namespace {
