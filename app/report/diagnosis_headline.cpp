@@ -36,7 +36,7 @@ std::string missing_headline(const Diagnosis& d) {
 }
 
 std::string consistent_headline(const Diagnosis& d) {
-  const PathErrors* path = d.spring ? &*d.spring : d.drive ? &*d.drive : nullptr;
+  const PathErrors* path = first_of(d);
   std::string out = "Nothing is missing, and the numbers of the model hold";
   if (!path) return out + ".";
   out += ": what is left, " + with_unit(path->after, "N·m", 2) + ", is noise.";
@@ -48,7 +48,7 @@ std::string consistent_headline(const Diagnosis& d) {
 }
 
 std::string recalibrate_headline(const Diagnosis& d) {
-  const PathErrors* path = d.spring ? &*d.spring : d.drive ? &*d.drive : nullptr;
+  const PathErrors* path = first_of(d);
   std::string out = "No physics is missing, but numbers of the model are off.";
   if (path && path->as_given && *path->as_given > path->before) {
     out += " With the right ones the error falls from " + figures(*path->as_given, 2) + " to " +

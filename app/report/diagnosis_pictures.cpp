@@ -65,7 +65,8 @@ void write_maps(HtmlReport& report, const Examined& examined) {
       (both ? "Colour before and grey after is what the finding explains; colour after is what it "
               "does not. "
             : "Grey is agreement. ") +
-      "Pale cells are chance, and noise that wanders slowly colours the strip of time.");
+      "Grey cells are chance, the depth goes by the logarithm, and noise that wanders slowly "
+      "colours the strip of time.");
   const std::pair<const char*, const char*> maps[] = {
       {"loadcell-spring", "Load cell less spring"},
       {"loadcell-drive", "Load cell less motor current"},

@@ -21,19 +21,18 @@ using estimator::ParameterEstimate;
 using estimator::Verdict;
 
 std::string title_with(const Examined& examined) {
-  std::string names;
-  for (const Part& part : examined.parts) names += (names.empty() ? "" : ", ") + part.name;
-  return "Diagnosis of " + (examined.parts.size() > 3
-                                ? std::to_string(examined.parts.size()) + " recordings"
-                                : names);
+  std::vector<std::string> names;
+  for (const Part& part : examined.parts) names.push_back(part.name);
+  return "Diagnosis of " +
+         (names.size() > 3 ? std::to_string(names.size()) + " recordings" : joined(names, ", "));
 }
 
 void write_facts(HtmlReport& report, const Examined& examined) {
   const Diagnosis& d = examined.diagnosis;
   std::vector<std::pair<std::string, std::string>> facts;
-  std::string missing;
-  for (const Finding& f : d.findings) missing += (missing.empty() ? "" : ", ") + f.effect;
-  if (!missing.empty()) facts.push_back({"missing", missing});
+  std::vector<std::string> missing;
+  for (const Finding& f : d.findings) missing.push_back(f.effect);
+  if (!missing.empty()) facts.push_back({"missing", joined(missing, ", ")});
   if (const auto& path = main_path(examined) == Against::spring ? d.spring : d.drive) {
     const bool only_numbers = d.verdict == Verdict::recalibrate && path->as_given;
     const double before = only_numbers ? *path->as_given : path->before;
@@ -96,17 +95,14 @@ void write_open_questions(HtmlReport& report, const Diagnosis& d) {
     const std::string place = where(u.located);
     report.paragraph(capital(u.what.empty() ? "a repeatable mismatch" : u.what) +
                      (place.empty() ? "." : ", at " + place + ".") + " It is " +
-                     number(100.0 * u.located.share, 0) +
-                     " % of the mismatch, and nothing in the catalogue explains it best.");
+                     percent(u.located.share) +
+                     " of the mismatch, and nothing in the catalogue explains it best.");
   }
   if (!d.undecidable.empty()) {
     report.heading("What this recording cannot decide");
     Rows rows;
-    for (const auto& u : d.undecidable) {
-      std::string effects;
-      for (const auto& e : u.effects) effects += (effects.empty() ? "" : " or ") + e;
-      rows.push_back({effects, u.why, u.needs});
-    }
+    for (const auto& u : d.undecidable)
+      rows.push_back({joined(u.effects, " or ", " or "), u.why, u.needs});
     report.table({"effect", "why not", "what would decide it"}, rows);
   }
   std::vector<std::string> next;

@@ -53,11 +53,15 @@ std::string joined(const std::vector<std::string>& parts, const std::string& las
   return out;
 }
 
+const PathErrors* first_of(const Diagnosis& d) {
+  return d.spring ? &*d.spring : d.drive ? &*d.drive : nullptr;
+}
+
 const PathErrors* clearest(const Diagnosis& d) {
   const auto gain = [](const std::optional<PathErrors>& p) {
     return p->before > 0 ? 1.0 - p->after / p->before : -INFINITY;
   };
-  if (!d.spring || !d.drive) return d.spring ? &*d.spring : d.drive ? &*d.drive : nullptr;
+  if (!d.spring || !d.drive) return first_of(d);
   return gain(d.spring) >= gain(d.drive) ? &*d.spring : &*d.drive;
 }
 

@@ -15,6 +15,9 @@ std::string percent(double share);
 std::string joined(const std::vector<std::string>& parts, const std::string& last = " and ",
                    const std::string& between = ", ");
 
+/// The spring's errors, else the drive's; nullptr where the recording has neither.
+const estimator::PathErrors* first_of(const estimator::Diagnosis& diagnosis);
+
 /// The path with the larger gain, for the headline; nullptr where the recording has neither.
 const estimator::PathErrors* clearest(const estimator::Diagnosis& diagnosis);
 

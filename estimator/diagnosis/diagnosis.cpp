@@ -1,12 +1,12 @@
 #include "estimator/diagnosis/diagnosis.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "estimator/diagnosis/answer/findings.h"
 #include "estimator/diagnosis/answer/locate.h"
 #include "estimator/diagnosis/fit/heldout.h"
+#include "estimator/diagnosis/fit/left.h"
 #include "estimator/diagnosis/search/account.h"
 #include "estimator/diagnosis/search/dense_map.h"
 #include "estimator/diagnosis/search/unnamed.h"
@@ -81,10 +81,10 @@ class Diagnostician {
     const Eigen::VectorXd left = bench_.raw_residual(account.final.hypothesis);
     if (e.has_spring())
       out_.spring =
-          errors(before.spring, after.spring, given.spring, usable_rms(left, 0, e.loadcell_rows()));
+          errors(before.spring, after.spring, given.spring, left_of(bench_, left, false).rms());
     if (e.has_drive())
-      out_.drive = errors(before.drive, after.drive, given.drive,
-                          usable_rms(left, e.loadcell_rows(), e.rows()));
+      out_.drive =
+          errors(before.drive, after.drive, given.drive, left_of(bench_, left, true).rms());
     const auto keep = [](const Eigen::VectorXd& x) {
       return std::vector<double>(x.begin(), x.end());
     };
@@ -107,14 +107,6 @@ class Diagnostician {
     if (out_.drive) out_.drive->after = rms_of(after.drive);
     out_.traces.spring_after_nm.assign(after.spring.begin(), after.spring.end());
     out_.traces.drive_after_nm.assign(after.drive.begin(), after.drive.end());
-  }
-
-  double usable_rms(const Eigen::VectorXd& raw, Eigen::Index from, Eigen::Index to) const {
-    double sum = 0.0;
-    Eigen::Index n = 0;
-    for (Eigen::Index i = from; i < to; ++i)
-      if (bench_.experiment().usable[std::size_t(i)]) sum += raw[i] * raw[i], ++n;
-    return n > 0 ? std::sqrt(sum / double(n)) : 0.0;
   }
 
   Verdict verdict(double zero_nm) const {

@@ -10,10 +10,6 @@
 namespace searig::estimator {
 namespace {
 
-/// Half width of the local cubic that differentiates angles: wide enough that encoder steps do not
-/// rule the acceleration, narrow enough to pass what an actuator does (-3 dB near 20 Hz).
-constexpr double half_width_s = differentiator_half_width_s;
-
 Eigen::VectorXd contribution(const Effect& effect, const Term& term, const Model& model,
                              const Motion& motion) {
   const auto shape = effect.shape(term);
@@ -36,7 +32,7 @@ std::vector<double> to_std(const Eigen::VectorXd& x) {
 }
 
 Motion motion_for(const Model& model, const ModuleSignals& module) {
-  Motion motion = motion_of(module, half_width_s);
+  Motion motion = motion_of(module, differentiator_half_width_s);
   motion.smoothing_rad_s = model.get("drive.coulomb", "smoothing_rad_s").value_or(0.01);
   return motion;
 }

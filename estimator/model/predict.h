@@ -22,6 +22,9 @@ Torques predict(const Model& model, const ModuleSignals& module);
 /// samples within differentiator_half_width_s, unless a term of the spring with a memory loads
 /// drive.load_friction.
 std::vector<double> predict_drive(const Model& model, const ModuleSignals& module);
+
+/// Half width of the local cubic that differentiates angles: wide enough that encoder steps do not
+/// rule the acceleration, narrow enough to pass what an actuator does (-3 dB near 20 Hz).
 inline constexpr double differentiator_half_width_s = 0.024;
 
 /// The current at which the drive's torque is `spring_nm`, at the module's samples; empty where the

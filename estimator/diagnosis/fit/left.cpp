@@ -12,6 +12,11 @@ double Left::power() const {
   return sum;
 }
 
+double Left::rms() const {
+  const auto rows = std::ranges::count(usable, true);
+  return rows > 0 ? std::sqrt(power() / double(rows)) : 0.0;
+}
+
 double Left::badness() const {
   const double rows = double(std::ranges::count(usable, true));
   return 2.0 * rows * std::log(fit_autoregression(residual, usable, Whitening::order).sd);

@@ -14,6 +14,8 @@ struct Left {
 
   /// Sum of squares over the usable rows.
   double power() const;
+  /// Over the usable rows; 0 where there is none.
+  double rms() const;
   /// -2 log likelihood under the noise that makes it likeliest, up to constants.
   double badness() const;
 };

@@ -8,13 +8,14 @@
 
 namespace searig::estimator {
 
+double Search::left_of_drive(const Scored& scored) const {
+  return left_of(bench_, bench_.raw_residual(scored.hypothesis), true).power();
+}
+
 /// The drive's residual counts in amperes. A function of the current can take back the current's
 /// errors while the torque constant grows, which gains, yet leaves more newton metres than before.
-bool Search::explains(const Contender& c, const Scored& from) const {
-  const auto power = [&](const Scored& s) {
-    return left_of(bench_, bench_.raw_residual(s.hypothesis), true).power();
-  };
-  return c.pieces.front().atom->path != Path::drive || power(c.scored) < power(from);
+bool Search::explains(const Contender& c, double left_before) const {
+  return c.pieces.front().atom->path != Path::drive || left_of_drive(c.scored) < left_before;
 }
 
 bool Search::at_its_bound(const Piece& piece) const {

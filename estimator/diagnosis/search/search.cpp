@@ -69,13 +69,14 @@ double Search::deviance(const Fit& fit) const {
 Step Search::step(const Hypothesis& from) {
   Step out;
   out.before = score(from);
+  const double left_before = atoms_.empty() ? 0.0 : left_of_drive(out.before);
   const auto hold = [&](const std::vector<std::vector<Piece>>& all, std::vector<Contender>& into) {
     for (const auto& pieces : all) {
       // From the shapes as they are: without what is missing they may run away.
       Contender c{pieces, score(with(from, pieces)), 0.0};
       c.gain = out.before.cost() - c.scored.cost();
       const bool atom = pieces.front().atom;
-      if (atom ? explains(c, out.before) : believable(c)) into.push_back(std::move(c));
+      if (atom ? explains(c, left_before) : believable(c)) into.push_back(std::move(c));
       if (atom && into.size() == most_unnamed) break;
     }
     std::ranges::sort(into, std::greater{}, &Contender::gain);

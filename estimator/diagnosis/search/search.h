@@ -101,7 +101,8 @@ class Search {
   Hypothesis with(Hypothesis from, const std::vector<Piece>& pieces) const;
   bool believable(const Contender& contender);
   bool at_its_bound(const Piece& piece) const;
-  bool explains(const Contender& contender, const Scored& from) const;
+  double left_of_drive(const Scored& scored) const;
+  bool explains(const Contender& contender, double left_before) const;
 
   Bench& bench_;
   const std::vector<Atom>& atoms_;

@@ -32,14 +32,18 @@ std::vector<std::pair<double, double>> place_of(const Signals& signals) {
                        : std::vector<std::pair<double, double>>{};
 }
 
+void expect_place(const Signals& signals, double from_s, double to_s, double within_s) {
+  const auto place = place_of(signals);
+  ASSERT_EQ(place.size(), 1u);
+  EXPECT_NEAR(place[0].first, from_s, within_s);
+  EXPECT_NEAR(place[0].second, to_s, within_s);
+}
+
 TEST(Place, OfALoadCellThatReadsTooLittleForAWhile) {
   Signals s = rig.record();
   for (std::size_t i = 0; i < s.loadcell.t_s.size(); ++i)
     if (s.loadcell.t_s[i] > 11.3 && s.loadcell.t_s[i] < 18.9) s.loadcell.torque_nm[i] *= 0.9;
-  const auto place = place_of(s);
-  ASSERT_EQ(place.size(), 1u);
-  EXPECT_NEAR(place[0].first, 11.3, 0.4);
-  EXPECT_NEAR(place[0].second, 18.9, 0.4);
+  expect_place(s, 11.3, 18.9, 0.4);
 }
 
 /// Noise that is learnt with the while inside has a long memory, under which nothing slow stands
@@ -51,10 +55,7 @@ TEST(Place, OfDryFrictionThatComesAndGoes) {
     const double w = SimulatedActuator::deflection(t).rate + SimulatedActuator::output(t).rate;
     if (t > 10.3 && t < 15.9) s.module.current_a[i] += 0.02 / rig.gain * std::tanh(w / 0.01);
   }
-  const auto place = place_of(s);
-  ASSERT_EQ(place.size(), 1u);
-  EXPECT_NEAR(place[0].first, 10.3, 0.2);
-  EXPECT_NEAR(place[0].second, 15.9, 0.2);
+  expect_place(s, 10.3, 15.9, 0.2);
 }
 
 TEST(Place, OfAZeroThatJumpsForGood) {
